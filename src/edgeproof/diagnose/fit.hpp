@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/precision/real.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -90,12 +91,11 @@ struct Candidate {
     std::string name;
     std::string what; ///< in words
     std::string advice;
-    double factor = 1;
+    Real factor = 1;
     Rank rank = mistake;
-    std::optional<std::size_t> source; ///< the index of the mistake that gives the values
+    std::optional<std::size_t> source = {}; ///< the index of the mistake that gives the values
     Fit fit = {};
     bool contradicted = false; ///< by right numbers
-    double doubtful = 0;       ///< the uncertainty of the common factor
 
     [[nodiscard]] bool is(const Candidate& other) const {
         return name == other.name && what == other.what;

@@ -465,7 +465,7 @@ std::vector<NearFactor> near_factors(double least, double most) {
         const Real& k = factor.value;
         const bool apart = wide > 0 && (k < least - wide || k > most + wide);
         const double error = std::max(off(k, 1), off(1, k));
-        return apart || !factor.possible("")
+        return apart || !is_possible(factor.name, "")
                    ? std::numeric_limits<double>::max()
                    : rest(k) * std::max(1 / most_rest, least_gain / error);
     };

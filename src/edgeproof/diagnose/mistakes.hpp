@@ -33,13 +33,12 @@ struct NamedFactor {
     const char* hint;
     const char* name;
     bool common; ///< more likely than a mistake in the data of a scene
-
-    /// True if a quantity ("p", "c_k", ...) may be wrong by the factor of this name.
-    [[nodiscard]] bool possible(std::string_view quantity) const {
-        return name != std::string_view("mean-for-peak") || quantity == "p" || quantity == "c_k";
-    }
 };
 [[nodiscard]] std::vector<NamedFactor> named_factors();
+/// True if a quantity ("p", "c_k", ...) may be wrong by the factor of this name.
+[[nodiscard]] inline bool is_possible(std::string_view factor, std::string_view quantity) {
+    return factor != "mean-for-peak" || quantity == "p" || quantity == "c_k";
+}
 
 struct NearFactor {
     NamedFactor factor;

@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/conformance/causes/cause_search.hpp"
+
+#include "edgeproof/conformance/causes/readings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
+
+namespace edgeproof::conformance {
+namespace {
+
+using diagnose::Candidate;
+using diagnose::Fit;
+using diagnose::same_value;
+
+/// A number without a name, and one with an unusual name, are not distinguished by answers that do
+/// not determine it better than this, or leave a greater smooth remainder.
+constexpr double unlikely_by_chance = 6e-4;
+/// Fewer rows with noise have a common factor by chance.
+constexpr std::size_t least_rows_of_constant = 6;
+constexpr std::size_t most_rows_tried = 60; // enough to select causes to test on all rows
+/// Rows fail, and are seen here, if they are wrong by more than same_value: they have a common
+/// error of that size by this selection.
+constexpr double least_constant = 1e-5;
+/// Two answers have a common error by chance with about the probability of their difference over
+/// the error. (Those at both edges of a symmetric contact are one.)
+constexpr double chance_of_few = 1e-3;
+/// Answers with fewer digits scatter by percents: a factor with a name and another cause may have
+/// the effect of a third one.
+constexpr double digits_of_percents = 1.5;
+constexpr double most_cause_digits = 40;
+constexpr std::size_t part_outside = 20; ///< one row of this number lies outside, on each side
+/// Relative standard deviations that an interval exceeds: noise of 12 answers has a range of more
+/// than 6 in one case of a thousand.
+constexpr double noise_in_interval = 6;
+
+/// The digits of a relative error.
+double cause_digits(double off) {
+    return off == 0 ? most_cause_digits : std::clamp(-std::log10(off), 0.0, most_cause_digits);
+}
+
+/// Four standard errors of the common factor of rows, relative, from what it leaves.
+double doubt_of(const Fit& fit) {
+    const double middle = diagnose::sorted_at(fit.off, 0.5);
+    std::vector<double> about;
+    for (const double off : fit.off) {
+        about.push_back(std::abs((off - middle) / (1 + middle)));
+    }
+    return 4 * diagnose::error_of_median(std::move(about));
+}
+
+/// Adds the named factors near answers of `least` to `most` times ours (diagnose::near_factors()).
+void add_near_factors(Convention& of, double least, double most) {
+    for (const auto& [factor, rest] : diagnose::near_factors(least, most)) {
+        if (std::ranges::find(of.equally_likely, factor.name) == of.equally_likely.end()) {
+            of.also.push_back(
+                most > least
+                    ? fmt::format("{}ours, and up to {:.2g} % that have another cause",
+                                  factor.words, 100 * rest)
+                    : fmt::format("{}ours, and {:+.2g} % that have another cause", factor.words,
+                                  100 * Real(least / factor.value - 1).convert_to<double>()));
+            of.equally_likely.emplace_back(factor.name);
+        }
+    }
+}
+
+/// The interval of the ratio of answers and ours, without a twentieth of the rows on each side.
+std::pair<double, double> interval_of(const WrongRows& all) {
+    std::vector<double> ratios = remainders(all, all.ours).off;
+    std::ranges::sort(ratios);
+    const std::size_t outside = ratios.size() / part_outside;
+    return {1 + ratios[outside], 1 + ratios[ratios.size() - 1 - outside]};
+}
+
+/// The interval, if it is not due to noise, and named factors are near it.
+std::optional<Convention> varying_factor(const Group& group, double noise) {
+    const WrongRows& all = group.rows;
+    const auto [least, most] = interval_of(all);
+    const double wide = noise_in_interval * noise * std::abs(most + least) / 2;
+    Convention c;
+    if (!remainder_of(remainders(all, all.ours)).noise_like.value_or(most - least < wide)) {
+        add_near_factors(c, least, most);
+    }
+    if (c.also.empty()) {
+        return {};
+    }
+    c.of = group.family;
+    c.relation = fmt::format("{:.3g} to {:.3g} times ours", least, most);
+    c.hint = "a factor that is no constant";
+    c.name = "varying-factor";
+    c.factor = (least + most) / 2;
+    c.failing = all.size();
+    c.rows = c.failing - 2 * (c.failing / part_outside);
+    c.held = cause_digits(most / least - 1);
+    c.without_digits = true;
+    return c;
+}
+
+class CauseSearch {
+public:
+    CauseSearch(const Answers& answers, const Agreements& agreements,
+                const std::vector<std::size_t>& failing, const ReferenceOptions& options,
+                KnownReadings& known)
+        : answers_(answers), agreements_(agreements),
+          readings_(answers, agreements, failing, options, known),
+          groups_(groups_of(answers, agreements, failing)) {
+        find_possible();
+    }
+
+    std::vector<Convention> causes() {
+        for (const bool named : {true, false}) {
+            for (const Group& group : groups_) {
+                if (!is_done(group) && group.rows.size() >= diagnose::least_rows) {
+                    keep(explained(group, named));
+                }
+            }
+        }
+        explain_by_others();
+        add_causes_of_others();
+        std::vector<Convention> found;
+        std::ranges::transform(explained_, std::back_inserter(found),
+                               [&](const Group& group) { return convention(group); });
+        for (const Group& group : groups_) {
+            const bool known =
+                is_done(group) || !group.whole || group.rows.size() < least_rows_of_constant;
+            if (auto varying = known ? std::nullopt : varying_factor(group, noise_)) {
+                finish(group);
+                found.push_back(std::move(*varying));
+            }
+        }
+        return found;
+    }
+
+private:
+    [[nodiscard]] bool is_done(const Group& group) const {
+        return std::ranges::all_of(group.rows.questions,
+                                   [&](std::size_t row) { return done_.contains(row); });
+    }
+    void finish(const Group& group) {
+        done_.insert(group.rows.questions.begin(), group.rows.questions.end());
+    }
+    /// Keeps a group that is explained, in place of its parts.
+    void keep(Group group) {
+        if (group.likely.empty()) {
+            return;
+        }
+        finish(group);
+        const auto& all = group.rows.questions; // in rising order
+        std::erase_if(explained_, [&](const Group& part) {
+            return std::ranges::includes(all, part.rows.questions);
+        });
+        explained_.push_back(std::move(group));
+    }
+
+    /// The named factors of ours, the readings, and the factors of ours at the other edge.
+    void find_possible() {
+        // Another modulus changes the pressure, too.
+        const bool only_sizes = std::ranges::all_of(
+            groups_, [](const Group& g) { return g.family == "a" || g.family == "b"; });
+        const std::vector<diagnose::NamedFactor> factors = diagnose::named_factors();
+        for (const diagnose::NamedFactor& f : factors) {
+            Candidate& c = possible_.emplace_back(
+                Candidate{f.name, f.words + "ours", f.hint, f.value,
+                          f.common ? Candidate::common_factor : Candidate::other_factor});
+            if (only_sizes && (f.value == 2 || 2 * f.value == 1)) {
+                c.name = "full-width-for-half";
+                c.advice = "the whole width of the contact for a half (or the reverse)? a and b "
+                           "are the distances of its edges from the origin";
+            }
+        }
+        const auto& readings = readings_.list();
+        for (std::size_t r = 0; r < readings.size(); ++r) {
+            const bool factor = readings[r].name.starts_with("factor");
+            possible_.push_back({readings[r].name, readings[r].relation, readings[r].hint, 1,
+                                 factor ? Candidate::other_factor : Candidate::mistake, r});
+        }
+        const auto other_edge = std::ranges::find(readings, "edges-swapped", &Reading::name);
+        for (const diagnose::NamedFactor& f : factors) {
+            possible_.push_back({other_edge->name, f.words + "ours at the other edge",
+                                 "left taken for right, and a factor", f.value,
+                                 Candidate::other_factor,
+                                 static_cast<std::size_t>(other_edge - readings.begin())});
+        }
+    }
+    /// Mistakes in the data of a contact and in the value are possible only for all failing rows of
+    /// the quantity, and so are exchanged edges with a factor.
+    [[nodiscard]] bool possible(const Candidate& cause, const Group& group) const {
+        return cause.source
+                   ? group.whole || (readings_.list()[*cause.source].place && cause.factor == 1)
+                   : diagnose::is_possible(cause.name, group.family);
+    }
+
+    [[nodiscard]] diagnose::Remainders left_by(const Candidate& cause, const WrongRows& rows) {
+        const Values values =
+            cause.source ? readings_.values(*cause.source, rows.questions) : rows.ours;
+        return remainders(rows, times(values, cause.factor));
+    }
+    [[nodiscard]] Fit remainder(const Candidate& cause, const WrongRows& rows) {
+        return remainder_of(left_by(cause, rows));
+    }
+    /// A factor may leave only noise, unless it dominates the error.
+    [[nodiscard]] std::optional<Fit> fit(const Candidate& cause, const WrongRows& rows) {
+        auto found = fit_of(left_by(cause, rows), noise_);
+        const bool reading = cause.source && cause.factor == 1;
+        return found && (reading || found->dominates || found->noise_like.value_or(true))
+                   ? found
+                   : std::nullopt;
+    }
+    void add(Candidate cause, Fit fit, Group& to) {
+        cause.contradicted =
+            cause.source && cause.factor == 1 &&
+            readings_.contradicted(*cause.source, std::max(same_value, 3 * fit.held));
+        cause.fit = std::move(fit);
+        to.likely.push_back(std::move(cause));
+    }
+
+    /// The causes of a group, with a name or as a constant, that the answers do not distinguish.
+    Group explained(Group group, bool named) {
+        const WrongRows some =
+            wrong_rows(answers_, agreements_, evenly(group.rows.questions, most_rows_tried));
+        const auto constant = constant_of(group);
+        if (named) {
+            for (const Candidate& cause : possible_) {
+                if (possible(cause, group) && fit(cause, some)) { // the others only if these fit
+                    if (auto found = fit(cause, group.rows)) {
+                        add(cause, std::move(*found), group);
+                    }
+                }
+            }
+            if (constant && constant_is_better(constant->fit, group.likely, noise_)) {
+                group.likely.clear();
+            }
+        } else if (constant) {
+            noise_ = std::max(noise_, constant->fit.scatter);
+            group.likely.push_back(*constant);
+        }
+        if (!group.likely.empty()) {
+            add_undistinguished(some, group);
+            keep_best(group.likely, noise_);
+        }
+        if (named && !group.likely.empty()) {
+            add_doubt(group);
+        }
+        return group;
+    }
+
+    /// Adds the readings and factors that fit the rows as well as the causes found, however little
+    /// they change or however improbable the noise is with them: the answers do not distinguish
+    /// them. If the answers have noise, it may hide what a mistake in the data of a contact does to
+    /// other rows of the quantity.
+    void add_undistinguished(const WrongRows& some, Group& to) {
+        const double unit = unit_of(to.likely, noise_);
+        const double most = most_misfit(to.likely, unit, some.size(),
+                                        [&](const Candidate& c) { return remainder(c, some); });
+        for (const Candidate& cause : possible_) {
+            const bool known = std::ranges::any_of(to.likely, [&](const Candidate& c) {
+                return c.is(cause) && c.source == cause.source;
+            });
+            const bool plain = !cause.source || cause.factor == 1;
+            if (known || !plain || !(possible(cause, to) || (cause.source && unit > same_value))) {
+                continue;
+            }
+            const Fit left = remainder(cause, some);
+            if (misfit(left, unit) <= most &&
+                (cause.source ||
+                 std::abs(diagnose::sorted_at(left.off, 0.5)) <= diagnose::most_scatter)) {
+                add(cause, remainder(cause, to.rows), to);
+            }
+        }
+    }
+
+    /// The median of the ratios of the answers to ours, as a cause, if it explains the rows.
+    [[nodiscard]] std::optional<Candidate> constant(const WrongRows& rows) {
+        std::vector<Real> ratios;
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            ratios.emplace_back(rows.answers[k] / *rows.ours[k]);
+        }
+        const auto middle = ratios.begin() + static_cast<long>(ratios.size() / 2);
+        std::nth_element(ratios.begin(), middle, ratios.end());
+        Candidate c{"factor",
+                    {},
+                    "a constant of proportionality that differs; scale by its inverse",
+                    *middle,
+                    Candidate::constant};
+        auto found = c.factor == 0 ? std::nullopt : fit_of(left_by(c, rows), noise_);
+        if (!found) {
+            return {};
+        }
+        constexpr double most_printed = 1e-10;
+        const double digits = -std::log10(doubt_of(*found) / 4 + most_printed);
+        c.what = fmt::format("{:.{}g} times ours", c.factor.convert_to<double>(),
+                             static_cast<int>(std::max(2.0, std::round(digits))));
+        c.fit = std::move(*found);
+        return c;
+    }
+    /// A constant without a name: only of all failing rows of a quantity, and only if the answers
+    /// scatter about it from point to point, or no more than those of the other quantities, so that
+    /// it is one to the accuracy of the answers.
+    [[nodiscard]] std::optional<Candidate> constant_of(const Group& group) {
+        auto found = constant(group.rows);
+        const double off = found ? std::abs(relative(found->factor, 1)) : 0;
+        if (off < std::max(least_constant, 3 * noise_)) {
+            return {};
+        }
+        const Fit& fit = found->fit;
+        const double unscattered = std::max(same_value, 3 * noise_);
+        const double same_of_few = std::min(same_value, chance_of_few * off);
+        const bool accepted =
+            (group.whole || fit.held <= same_value) &&
+            fit.noise_like.value_or(fit.held <= unscattered) &&
+            (group.rows.size() >= least_rows_of_constant || fit.held <= same_of_few);
+        return accepted ? found : std::nullopt;
+    }
+    /// Adds a constant without a name, if noise leaves room for one.
+    void add_doubt(Group& to) {
+        auto found = constant(to.rows);
+        if (found && doubt_of(found->fit) >= unlikely_by_chance &&
+            constant_is_possible(found->fit, to.likely, noise_)) {
+            noise_ = std::max(noise_, found->fit.scatter);
+            to.likely.push_back(std::move(*found));
+        }
+    }
+
+    /// Explains a quantity that no cause fits by one of another quantity, if that leaves noise
+    /// only: its noise may have a mean of several deviations by chance.
+    void explain_by_others() {
+        std::vector<Group> more;
+        for (Group group : groups_) {
+            if (is_done(group) || !group.whole) {
+                continue;
+            }
+            const double before = remainder_of(remainders(group.rows, group.rows.ours)).scatter;
+            for (const Group& other : explained_) {
+                for (Candidate cause : other.likely) {
+                    cause.fit = remainder(cause, group.rows);
+                    if (cause.fit.noise_like.value_or(false) &&
+                        diagnose::least_gain * cause.fit.scatter < before) {
+                        group.likely.push_back(std::move(cause));
+                    }
+                }
+            }
+            if (!group.likely.empty()) {
+                finish(group);
+                more.push_back(std::move(group));
+            }
+        }
+        std::ranges::move(more, std::back_inserter(explained_));
+    }
+    /// Adds to each group the causes of other groups that fit it as well as its own or better: a
+    /// cause that is established for one quantity need not change another clearly.
+    void add_causes_of_others() {
+        const std::vector<Group> before = explained_;
+        for (Group& group : explained_) {
+            for (const Group& other : before) {
+                for (Candidate cause : other.likely) {
+                    // The text of a constant without a name may be that of a named factor.
+                    if (std::ranges::none_of(group.likely,
+                                             [&](const Candidate& c) { return c.is(cause); })) {
+                        cause.fit = remainder(cause, group.rows);
+                        group.likely.push_back(std::move(cause));
+                    }
+                }
+            }
+            keep_best(group.likely, noise_);
+        }
+    }
+
+    /// The number of rows that a cause explains in all groups.
+    [[nodiscard]] std::size_t rows_of(const Candidate& cause) const {
+        std::size_t rows = 0;
+        for (const Group& group : explained_) {
+            std::size_t most = 0;
+            for (const Candidate& c : group.likely) {
+                most = c.is(cause) ? std::max(most, c.fit.rows) : most;
+            }
+            rows += most;
+        }
+        return rows;
+    }
+    /// The cause of a group that explains most rows of all groups, and the others. A constant
+    /// without a name must explain twice as many rows.
+    [[nodiscard]] Convention convention(const Group& group) const {
+        const Candidate& first =
+            *std::ranges::max_element(group.likely, {}, [&](const Candidate& candidate) {
+                return (candidate.rank == Candidate::constant ? 1 : 2) * rows_of(candidate);
+            });
+        const bool reading = first.source && first.factor == 1;
+        Convention c;
+        c.of = reading ? group.family : group.name;
+        c.relation = first.what;
+        c.hint = first.advice;
+        c.name = first.name;
+        c.factor = first.factor.convert_to<double>();
+        c.rows = first.fit.rows;
+        c.failing = group.rows.size();
+        c.digits = cause_digits(first.fit.worst);
+        c.held = cause_digits(first.fit.held);
+        c.remains = first.fit.noise_like.value_or(true) ? 0 : first.fit.held;
+        for (const Candidate& other : group.likely) {
+            if (other.what != c.relation && std::ranges::find(c.also, other.what) == c.also.end()) {
+                c.also.push_back(other.what);
+                c.equally_likely.push_back(other.name);
+            }
+        }
+        if (first.rank == Candidate::other_factor &&
+            std::max(reading ? 0 : doubt_of(first.fit), c.remains) > unlikely_by_chance) {
+            c.also.emplace_back(c.remains == 0
+                                    ? "a constant without a name"
+                                    : "a factor that varies, near that number by chance");
+            c.equally_likely.emplace_back("factor");
+        }
+        const auto [least, most] = interval_of(group.rows);
+        // A mistake that leaves a smooth remainder may have nearly the effect of a factor by
+        // chance.
+        if (first.rank == Candidate::mistake && c.remains > unlikely_by_chance) {
+            add_near_factors(c, least, most);
+        }
+        if (first.rank == Candidate::constant) {
+            add_near_factors(c, c.factor, c.factor);
+        } else if (c.held < digits_of_percents) {
+            add_near_factors(c, (least + most) / 2, (least + most) / 2);
+        }
+        return c;
+    }
+
+    const Answers& answers_;
+    const Agreements& agreements_;
+    Readings readings_;
+    std::vector<Group> groups_;
+    std::vector<Candidate> possible_; ///< without fits
+    std::vector<Group> explained_;
+    std::set<std::size_t> done_; ///< questions
+    double noise_ = 0;           ///< the scatter of the answers, where known
+};
+
+} // namespace
+
+std::vector<Convention> causes_of_wrong_rows(const Answers& answers, const Agreements& agreements,
+                                             const std::vector<std::size_t>& failing,
+                                             const ReferenceOptions& options,
+                                             KnownReadings& known) {
+    return CauseSearch(answers, agreements, failing, options, known).causes();
+}
+
+} // namespace edgeproof::conformance

@@ -1,111 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/comparison.hpp"
 
-#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/comparison/hertz_data.hpp"
 #include "tests/support/namespaces.hpp"
-#include "tests/support/paths.hpp"
 
 #include <doctest/doctest.h>
 
-#include <sstream>
 #include <tuple>
 
 using namespace edgeproof::hertz_data;
-
-namespace {
-
-const std::vector<double> mesh = even_places(-2, 2, 64); // an element is 1/16 wide
-
-Tolerances within(double tolerance) {
-    Tolerances t;
-    t.pressure = tolerance;
-    return t;
-}
-
-} // namespace
-
-TEST_CASE("the exact contact: Hertz by the textbook") {
-    CHECK(exact().a().value == doctest::Approx(a).epsilon(1e-15));
-    CHECK(exact().force().value == doctest::Approx(P).epsilon(1e-14));
-    // sqrt(a^2 - x^2) = sqrt(2a) u^(1/2) (1 - u/(4a) - ...)
-    const double c0 = p0 * std::sqrt(2 / a);
-    CHECK(exact().c(Edge::left, 0).value == doctest::Approx(c0).epsilon(1e-14));
-    CHECK(exact().c(Edge::right, 1).value == doctest::Approx(-c0 / (4 * a)).epsilon(1e-14));
-    CHECK(exact().scale().value == doctest::Approx(p0).epsilon(1e-14));
-    CHECK_FALSE(exact().scale().mean);
-    for (const double x : {-1.49, -0.3, 0.0, 0.7, 1.4999}) {
-        CHECK(exact().pressure(x) == doctest::Approx(p(x)).epsilon(1e-12));
-    }
-    CHECK(exact().pressure(1.6) == 0);
-}
-
-// p = C acosh(a/|x|)/pi of a wedge with E* = 1 (Johnson, section 5.2). With a = 1 + 2^-60 no
-// distance from the edge in binary64 has the digits of a place near the apex.
-TEST_CASE("the exact contact: p and q near a corner have the digits of the place") {
-    const ExactContact wedge(scene::parse_scene(
-        "[profile]\nkind = \"power-law\"\nm = \"0\"\nC = \"1\"\n[load]\n"
-        "a = \"1 + 2^-60\"\ncontact_modulus = \"1\"\n[shear]\nQ = \"(1 + 2^-60)/8\"\n"
-        "path = \"together\"\n",
-        "wedge.toml"));
-    for (const double x : {3.3e-15, -1e-13, 1e-9, -1e-5, 1e-3, 0.3}) {
-        CAPTURE(x);
-        const ExactContact::Place place = wedge.at(Real(x));
-        const double p = std::acosh(1 / std::abs(x)) / std::numbers::pi;
-        CHECK(wedge.p(place).value() == doctest::Approx(p).epsilon(3e-15));
-        CHECK(wedge.q(place).value() == doctest::Approx(p / 8).epsilon(3e-15));
-    }
-    CHECK_FALSE(wedge.p(wedge.at(Real(0))));
-}
-
-// P = pi/20 closes the contact up to the corner at 1; 1e-45 beyond it 128 bits do not separate
-// both.
-TEST_CASE("the exact contact: an edge that few bits do not separate from a corner") {
-    const ExactContact contact(
-        scene::parse_scene("[profile]\nkind = \"piecewise\"\nsymmetric = true\nknots = [\"1\"]\n"
-                           "slopes = [\"x/5\", \"x/5 + 1\"]\n[load]\nP = \"pi/20 + 1/10^45\"\n"
-                           "contact_modulus = \"1\"\n",
-                           "corner.toml"));
-    // Hertz with R = 5: p = sqrt(a^2 - x^2)/10
-    for (const double x : {0.0, -0.6, 0.8}) {
-        CHECK(contact.p(contact.at(Real(x))).value() ==
-              doctest::Approx(std::sqrt(1 - x * x) / 10).epsilon(3e-15));
-    }
-}
-
-// Slopes with a corner, a jump of g'', a branch point and no symmetry, and a body of revolution
-// without a closed form; places from 1e-7 of the contact next to edges and knots. The exact
-// pressures are those of rigorous integration.
-TEST_CASE("pressures of curved slopes for searches agree with the exact ones") {
-    for (const char* profile :
-         {"symmetric = true\nknots = [\"1/2\"]\nslopes = [\"x/10\", \"x/10 + (x - 1/2)^3\"]\n",
-          "knots = [\"0\", \"1/4\"]\nslopes = [\"sinh(x) - 1/10\", \"x^3\", \"1/64 + sqrt(x - "
-          "1/4)\"]\n",
-          "knots = [\"-1/3\"]\nslopes = [\"exp(x) - 1 + (x + 1/3)/5\", \"exp(x) - 1\"]\n",
-          "geometry = \"axisymmetric\"\nsymmetric = true\nknots = [\"1/2\"]\nslopes = [\"0\", \"x "
-          "- 1/2\"]\n"}) {
-        CAPTURE(profile);
-        const ExactContact contact(
-            scene::parse_scene(std::string("[profile]\nkind = \"piecewise\"\n") + profile +
-                                   "[load]\ncontact_modulus = \"100\"\na = \"3/4\"\n",
-                               "curved.toml"));
-        std::vector<double> places{-contact.b().value, contact.a().value};
-        for (const ContactKnot& knot : contact.knots()) {
-            places.push_back(knot.x);
-        }
-        for (const double place : places) {
-            for (const double away : {-0.2, -1e-2, -1e-4, -1e-7, 1e-7, 1e-4, 1e-2, 0.2}) {
-                const double x = place + away * contact.length();
-                CAPTURE(x);
-                const auto exact = contact.p(contact.at(Real(x)));
-                const auto quick = contact.quick_pressure(x);
-                REQUIRE(exact.has_value() == quick.has_value());
-                CHECK(quick.value_or(0) == doctest::Approx(exact.value_or(0)).epsilon(1e-9));
-            }
-        }
-    }
-}
 
 TEST_CASE("exact data pass at any tolerance") {
     const FileComparison file = compared(table(mesh, p), within(1e-12));
@@ -278,32 +182,6 @@ TEST_CASE("half of a flat pad: the pressure in its middle is a small part of the
     }
 }
 
-TEST_CASE("samples of a line through a mesh are not its elements") {
-    const auto through = [](double element) {
-        return [element](double x) {
-            const double left = element * std::floor(x / element);
-            return p(left) + (p(left + element) - p(left)) * (x - left) / element;
-        };
-    };
-    struct Case {
-        double element; ///< 0: none, the curve itself
-        double step;
-    };
-    for (const auto& [element, step] : {Case{0.1, 0.02}, Case{0.1, 0.0171}, Case{0.25, 0.05},
-                                        Case{0.05, 0.025}, Case{0, 0.02}, Case{0, 0.0003}}) {
-        CAPTURE(element);
-        CAPTURE(step);
-        const int n = static_cast<int>(4 / step);
-        const auto places = even_places(-n * step / 2, n * step / 2, n);
-        const FileComparison file =
-            compared(element > 0 ? table(places, through(element)) : table(places, p), within(0.2));
-        const double right = element > 0 ? element : step;
-        CHECK(file.contact.mean_element == doctest::Approx(right).epsilon(0.1));
-        CHECK(file.contact.element[0] == doctest::Approx(right).epsilon(0.2));
-        CHECK(has_finding(file, "samples of a line") == (element > 0));
-    }
-}
-
 TEST_CASE("tolerances of a, P and c_0: a contact of another size fails in each") {
     Tolerances each = within(1);
     each.edges = 0.01;
@@ -381,114 +259,4 @@ TEST_CASE("a wedge: infinite at its apex, the mean pressure is the scale") {
     CHECK(file.passes());
     CHECK(has_finding(file, "infinite at a corner"));
     CHECK(file.errors.nodes == 50); // all but the one at the apex
-}
-
-TEST_CASE("the peak of a flat-and-rounded punch lies inside, near the ends of the flat") {
-    const Scene scene =
-        parse_scene("[profile]\nkind = \"flat-and-rounded\"\nt = \"0.8\"\nR = \"1\"\n"
-                    "[load]\na = \"1\"\ncontact_modulus = \"1\"\n",
-                    "pad.toml");
-    const ExactContact pad(scene);
-    CHECK_FALSE(pad.scale().mean);
-    CHECK(std::abs(pad.scale().x) > 0.8);
-    double most = 0;
-    for (int i = 1; i < 4000; ++i) {
-        most = std::max(most, pad.pressure(i / 4000.0));
-    }
-    CHECK(pad.scale().value >= most);
-    CHECK(pad.scale().value < most * (1 + 1e-5));
-    CHECK(pad.knots().size() == 2); // the ends of the flat; at the origin the slope is smooth
-    CHECK(exact().knots().empty());
-}
-
-TEST_CASE("least squares: a known line, its standard errors, dependent columns") {
-    // For y = 1, 2, 2, 3 at x = 0, 1, 2, 3: slope 0.6, intercept 1.1, residual sum of squares 0.2,
-    // so that s^2 = 0.1, and the standard errors are sqrt(0.1/5) and sqrt(0.1 * 14/20).
-    const std::vector<std::vector<double>> columns{{1, 1, 1, 1}, {0, 1, 2, 3}};
-    const std::vector<double> y{1, 2, 2, 3};
-    const auto fit = least_squares(columns, y);
-    REQUIRE(fit);
-    CHECK(fit->coefficients[0] == doctest::Approx(1.1).epsilon(1e-13));
-    CHECK(fit->coefficients[1] == doctest::Approx(0.6).epsilon(1e-13));
-    CHECK(fit->standard_errors[0] == doctest::Approx(std::sqrt(0.07)).epsilon(1e-12));
-    CHECK(fit->standard_errors[1] == doctest::Approx(std::sqrt(0.02)).epsilon(1e-12));
-    CHECK_FALSE(least_squares({{1, 1, 1, 1}, {2, 2, 2, 2}}, y));
-    CHECK_FALSE(least_squares({{1, 2}, {0, 1}}, std::vector<double>{1, 2}));
-}
-
-TEST_CASE("errors at the edges only: the zone to leave out is suggested, in elements") {
-    // A mesh that smears the edge over an element: the error is in the elements next to it.
-    const double h = 1.0 / 16;
-    const auto text = table(mesh, [h](double x) { return smeared(x, h); });
-    SuspectContacts suspects(parse_scene(edgeproof::hertz_data::scene_text, "s.toml"));
-    const FileComparison file =
-        compare_file(parse_result(text, "r.csv"), exact(), within(0.01), Rational(0), &suspects);
-    REQUIRE_FALSE(file.passes());
-    REQUIRE(file.suggested_zone);
-    const SuggestedZone& zone = *file.suggested_zone;
-    CHECK(zone.length[0] == doctest::Approx(zone.elements * h));
-    Tolerances left_out = within(0.01);
-    left_out.zone = parse_edge_zone(std::to_string(zone.elements) + "e");
-    const FileComparison passing =
-        compare_file(parse_result(text, "r.csv"), exact(), left_out, Rational(0), &suspects);
-    CHECK(passing.passes());
-    CHECK(passing.errors.peak == doctest::Approx(zone.error));
-    if (zone.elements > 1) {
-        left_out.zone = parse_edge_zone(std::to_string(zone.elements - 1) + "e");
-        CHECK_FALSE(
-            compare_file(parse_result(text, "r.csv"), exact(), left_out, Rational(0)).passes());
-    }
-}
-
-TEST_CASE("meshes that smear the edge: orders") {
-    std::vector<FileComparison> files;
-    for (const int n : {32, 64, 128, 256}) {
-        const double h = 4.0 / n;
-        Tolerances t;
-        t.zone = parse_edge_zone("2e");
-        files.push_back(
-            compared(table(even_places(-2, 2, n), [h](double x) { return smeared(x, h); }), t));
-        CHECK(files.back().passes());
-    }
-    const auto list = convergence_of(files, exact());
-    const auto of = [&](const std::string& name) {
-        for (const Convergence& c : list) {
-            if (c.quantity == name) {
-                return c;
-            }
-        }
-        return Convergence{};
-    };
-    // In the middle, the error of a mean over h is h^2 p''/24.
-    CHECK(of("p_max").order.value() == doctest::Approx(2).epsilon(0.01));
-    REQUIRE(of("l2").order);
-    CHECK(*of("l2").order > 0.5);
-}
-
-TEST_CASE("orders of known sequences") {
-    for (const double order : {0.5, 1.0, 1.5, 2.0, 4.0}) {
-        std::vector<MeshValue> errors;
-        for (const double h : {0.125, 1.0, 0.5, 0.2}) { // in any order, without a fixed ratio
-            errors.push_back({h, -0.7 * std::pow(h, order)});
-        }
-        CHECK(order_of(errors).value() == doctest::Approx(order).epsilon(1e-6));
-    }
-    CHECK_FALSE(order_of({{1, 0}, {0.5, 0}})); // all values are exact
-    CHECK_FALSE(order_of({{1, 2}, {1, 3}}));   // one width
-}
-
-TEST_CASE("the allowance for a mesh is that of the committed runs of CalculiX") {
-    std::istringstream rows(io::read_text(
-        test::source_dir() / "examples" / "third-party" / "solvers" / "mesh-errors.csv", "table"));
-    double greatest = 0;
-    std::size_t count = 0;
-    for (std::string line; std::getline(rows, line);) {
-        if (!line.starts_with('#') && !line.starts_with("contact")) {
-            greatest = std::max(greatest, std::stod(line.substr(line.rfind(',') + 1)));
-            ++count;
-        }
-    }
-    CHECK(count >= 8);
-    CHECK(greatest <= mesh_error_times_elements);
-    CHECK(greatest > 0.75 * mesh_error_times_elements); // and not much more
 }

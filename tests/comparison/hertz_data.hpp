@@ -64,6 +64,15 @@ inline std::string table(const std::vector<double>& places,
     return text;
 }
 
+/// Places of a mesh whose elements are 1/16 wide.
+inline const std::vector<double> mesh = even_places(-2, 2, 64);
+
+inline comparison::Tolerances within(double tolerance) {
+    comparison::Tolerances t;
+    t.pressure = tolerance;
+    return t;
+}
+
 /// A scene whose data are diagnosed; its origin is that of the data.
 struct Diagnosed {
     comparison::ExactContact exact;

@@ -1,125 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/comparison/causes/suspects.hpp"
 #include "edgeproof/comparison/input/result_table.hpp"
 #include "edgeproof/comparison/measures/alignment.hpp"
 #include "edgeproof/comparison/measures/exact_contact.hpp"
 #include "edgeproof/comparison/measures/measures.hpp"
 
-#include <cstddef>
-#include <functional>
-#include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace edgeproof::comparison {
-
-/// g at the middles of elements of equal width, the first of which is `first`, up to a constant.
-[[nodiscard]] std::vector<double> gap_of(const scene::Scene& scene, const ExactContact& exact,
-                                         double first, double width, std::size_t elements);
-
-/// The contact as a program with a penalty solves it: p = k times the penetration, so that a layer
-/// of springs with the compliance 1/k lies between the bodies. Where p > 0,
-///     u(x) + g(x) + p(x)/k = delta + phi x,
-/// with the displacement u of the half-plane, or of the half-space, under p. The contact is longer,
-/// p is lower, and p vanishes like u, not like u^(1/2), at its edges. P is that of the scene; so is
-/// M where the scene gives it, and phi = 0 otherwise.
-///
-/// Boundary elements (rings, if axisymmetric) of constant p, of equal width, with the active
-/// elements found by iteration (johnson1985, section 4.3, has the springs alone). All values are
-/// estimates.
-class SoftContact {
-public:
-    /// `scene`: that of `exact`. Keeps no reference to them.
-    SoftContact(const scene::Scene& scene, const ExactContact& exact);
-
-    struct Solution {
-        double softness = 0; ///< E*/(k (a + b)) with the exact a and b; 0 for rigid springs
-        double a = 0;        ///< p > 0 for -b < x < a
-        double b = 0;
-        std::vector<double> p; ///< of the elements
-    };
-    /// Returns nothing if the contact extends beyond the elements, by a third of a + b on each
-    /// side.
-    [[nodiscard]] std::optional<Solution> solve(double softness) const;
-    /// Returns the solution for which `left`, a sum of squares, is least; nothing if none halves
-    /// that of rigid springs.
-    [[nodiscard]] std::optional<Solution>
-    fitted(const std::function<double(const Solution&)>& left) const;
-    /// The change of p at x by the springs, between elements by interpolation: the error of the
-    /// elements themselves nearly cancels in it. NaN near an exact edge or a corner, where it does
-    /// not.
-    [[nodiscard]] double change(const Solution& soft, double x) const;
-    /// k in units of E*/(a + b), times this number, is k in pressure per length.
-    [[nodiscard]] double stiffness_unit() const { return modulus_ / length_; }
-
-private:
-    void find_influences();
-
-    bool round_ = false;
-    double modulus_ = 0; ///< E*
-    double length_ = 0;  ///< a + b
-    double width_ = 0;   ///< of an element
-    double force_ = 0;
-    std::optional<double> moment_;
-    std::vector<double> special_;        ///< the exact edges, and the corners
-    std::vector<double> x_;              ///< the middles of the elements
-    std::vector<double> gap_;            ///< g there, up to a constant
-    std::vector<std::vector<double>> u_; ///< at an element, under a unit pressure on another
-    Solution rigid_;
-    std::vector<Solution> soft_; ///< by softness, from springs that are nearly rigid
-};
-
-/// The contacts that programs with a known mistake would have solved instead of the scene's. Each
-/// is solved once, on first use, for all data compared with the scene: solving them is nearly all
-/// the work of a diagnosis. One object belongs to one thread.
-class SuspectContacts {
-public:
-    explicit SuspectContacts(scene::Scene scene) : scene_(std::move(scene)) {}
-
-    [[nodiscard]] const scene::Scene& scene() const { return scene_; }
-
-    /// The contact of the changed scene; `mistake` is a unique name of the change. Null if no
-    /// contact carries the load of the changed scene, so that no program could have computed it.
-    [[nodiscard]] const ExactContact* with(const std::string& mistake,
-                                           const std::function<void(scene::Scene&)>& change);
-
-    /// The scene's contact with springs.
-    [[nodiscard]] const SoftContact& soft(const ExactContact& exact);
-
-private:
-    scene::Scene scene_;
-    std::map<std::string, std::optional<ExactContact>> solved_;
-    std::optional<SoftContact> soft_;
-};
-
-/// The values that a program with one mistake would write at the nodes used.
-struct Suspect {
-    std::string name;
-    std::string what;
-    double a = 0; ///< its contact is -b < x < a
-    double b = 0;
-    std::vector<double> values; ///< at each of those nodes; NaN where there is no value
-};
-
-/// The nodes of data that are used: if there are many, only some of them at equal steps.
-struct UsedNodes {
-    const AlignedResult& data;
-    std::vector<std::size_t> nodes; ///< indices, in their order
-
-    [[nodiscard]] std::size_t size() const { return nodes.size(); }
-    [[nodiscard]] const Node& operator[](std::size_t i) const { return data.nodes[nodes[i]]; }
-};
-
-/// Returns every mistake in the pressure that is possible for a scene: p or x times a number, other
-/// materials, sizes, angles and loads, other places, means over elements, and terms of an expansion
-/// instead of p. Mistakes whose contact cannot be solved are left out. Throws Interrupted.
-[[nodiscard]] std::vector<Suspect>
-pressure_suspects(const UsedNodes& nodes, SuspectContacts& contacts, const ExactContact& exact);
-/// Returns the mistakes in the shear traction, if the pressure is right.
-[[nodiscard]] std::vector<Suspect> shear_suspects(const UsedNodes& nodes, SuspectContacts& contacts,
-                                                  const ExactContact& exact);
 
 /// A mistake that explains wrong data.
 struct Cause {
@@ -137,10 +28,6 @@ struct CommonFactor {
     bool of_x = false; ///< of the places, not of the values
 };
 
-/// Where the largest error is: near an edge of the exact contact (by two elements or a fiftieth of
-/// the contact) or a corner, or elsewhere inside or outside it.
-enum class Worst { near_edge, inside, outside };
-
 struct Diagnosis {
     /// The error without any cause, and the scatter of the data: rms, relative to the largest
     /// pressure, over nodes at least two elements and a fiftieth of the contact away from the
@@ -156,6 +43,13 @@ struct Diagnosis {
     /// If no cause is found: a factor of p, q or x that explains the data as a cause would.
     std::optional<CommonFactor> factor;
 };
+
+/// Finds pressures that carry fewer digits than are written: rounded to a number of significant
+/// digits or decimals, or numbers of binary32; accepted if the errors away from the edges (by a
+/// fiftieth of the contact, on either side) are no larger than this rounding explains. For
+/// binary32, 16 units in the last place of the largest pressure are allowed for a computation.
+[[nodiscard]] std::optional<Cause>
+cause_in_digits(const ResultTable& table, const AlignedResult& data, const ExactContact& exact);
 
 /// Compares data with the pressures that a program with each known mistake would compute
 /// (pressure_suspects()), at nodes away from the edges, by diagnose/fit.hpp. In

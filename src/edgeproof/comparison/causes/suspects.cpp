@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/causes/causes.hpp"
+#include "edgeproof/comparison/causes/suspects.hpp"
+#include "edgeproof/diagnose/factors.hpp"
 #include "edgeproof/diagnose/mistakes.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/interruption.hpp"
 
 #include <fmt/format.h>
 
@@ -22,8 +22,8 @@ constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 /// Makes suspects of one scene at the nodes used. Keeps references to all arguments.
 class SuspectMaker {
 public:
-    SuspectMaker(const UsedNodes& nodes, SuspectContacts& contacts, const ExactContact& exact)
-        : nodes_(nodes), contacts_(contacts), exact_(exact) {}
+    SuspectMaker(const Observed& data, SuspectContacts& contacts, const ExactContact& exact)
+        : data_(data), contacts_(contacts), exact_(exact) {}
 
     [[nodiscard]] std::vector<Suspect> of_pressure() && {
         factors();
@@ -34,7 +34,7 @@ public:
             };
             if (const ExactContact* const contact = changed(mistake, change)) {
                 add(mistake.name, mistake.what, contact->a().value, contact->b().value,
-                    [&](std::size_t i) { return pressure(*contact, nodes_[i].x); });
+                    [&](std::size_t i) { return pressure(*contact, data_[i].x); });
             }
         }
         for (const int rows : {1, -1}) {
@@ -57,15 +57,12 @@ public:
               {"factor-2", "q is half as large", 0.5},
               {"factor-pi", "q is pi times too large", std::acos(-1)},
               {"factor-pi", "q is pi times too small", 1 / std::acos(-1)}}) {
-            add(name, what, [this, k = k](std::size_t i) {
-                return nodes_[i].q ? k * nodes_[i].q->exact.value_or(no_value) : no_value;
-            });
+            add(name, what, [this, k = k](std::size_t i) { return k * data_.right.values[i]; });
         }
         for (const diagnose::Mistake& mistake : diagnose::shear_mistakes(scene)) {
             if (const ExactContact* const contact = changed(mistake, mistake.change)) {
-                add(mistake.name, mistake.what, [&](std::size_t i) {
-                    return contact->q(contact->at(Real(nodes_[i].x))).value_or(no_value);
-                });
+                add(mistake.name, mistake.what,
+                    [&](std::size_t i) { return shear(*contact, data_[i].x); });
             }
         }
         if (scene.shear->friction) {
@@ -75,9 +72,7 @@ public:
         }
         if (!exact_.symmetric() || scene.shear->bulk_tension.sign() != 0) {
             add("mirrored", "x has the opposite direction", exact_.b().value, exact_.a().value,
-                [&](std::size_t i) {
-                    return exact_.q(exact_.at(Real(-nodes_[i].x))).value_or(no_value);
-                });
+                [&](std::size_t i) { return shear(exact_, -data_[i].x); });
         }
         return std::move(list_);
     }
@@ -87,11 +82,7 @@ private:
     /// Adds a suspect with `value` at each node used, on the contact -b < x < a.
     void add(std::string_view name, const std::string& what, double a, double b,
              const Value& value) {
-        Suspect& s = list_.emplace_back(Suspect{std::string(name), what, a, b, {}});
-        for (std::size_t i = 0; i < nodes_.size(); ++i) {
-            check_interruption();
-            s.values.push_back(value(i));
-        }
+        list_.push_back(data_.suspect(name, what, a, b, value));
     }
     /// Adds a suspect on the exact contact.
     void add(std::string_view name, const std::string& what, const Value& value) {
@@ -102,16 +93,19 @@ private:
                                               const std::function<void(scene::Scene&)>& change) {
         return contacts_.with(std::string(mistake.name) + ": " + mistake.what, change);
     }
-    /// The pressure of another contact; NaN on a corner.
+    /// The pressure and the shear traction of another contact; NaN where they are infinite.
     [[nodiscard]] static double pressure(const ExactContact& contact, double x) {
         return contact.quick_pressure(x).value_or(no_value);
     }
+    [[nodiscard]] static double shear(const ExactContact& contact, double x) {
+        return contact.q(contact.at(Real(x))).value_or(no_value);
+    }
     /// The exact pressure `rows` rows after a node used; NaN if there is no such row.
     [[nodiscard]] double exact_pressure(std::size_t i, std::ptrdiff_t rows = 0) const {
-        const auto at = static_cast<std::ptrdiff_t>(nodes_.nodes[i]) + rows;
-        return at < 0 || at >= std::ssize(nodes_.data.nodes)
+        const auto at = static_cast<std::ptrdiff_t>(data_.nodes[i]) + rows;
+        return at < 0 || at >= std::ssize(data_.data.nodes)
                    ? no_value
-                   : nodes_.data.nodes[static_cast<std::size_t>(at)].p.exact.value_or(no_value);
+                   : data_.data.nodes[static_cast<std::size_t>(at)].p.exact.value_or(no_value);
     }
 
     void factors() {
@@ -132,10 +126,10 @@ private:
                     [&](std::size_t i) { return k * exact_pressure(i); });
             }
         }
-        const double origin = nodes_.data.origin; // undoes the shift that was found
+        const double origin = data_.data.origin; // undoes the shift that was found
         const auto scale = [&](const char* name, const std::string& what, double x, double p) {
             add(name, what, exact_.a().value * x - origin, exact_.b().value * x + origin,
-                [&](std::size_t i) { return p * pressure(exact_, (nodes_[i].x + origin) / x); });
+                [&](std::size_t i) { return p * pressure(exact_, (data_[i].x + origin) / x); });
         };
         for (const auto& [name, k] : {std::pair{"power-of-ten", 10.0},
                                       {"power-of-ten", 1e2},
@@ -151,17 +145,17 @@ private:
 
     void shifts() {
         std::vector<RoughPoint> points;
-        for (std::size_t i = 0; i < nodes_.size(); ++i) {
-            points.push_back({nodes_[i].x, nodes_[i].p.data});
+        for (std::size_t i = 0; i < data_.size(); ++i) {
+            points.push_back({data_[i].x, data_[i].p.data});
         }
-        if (const auto found = found_shift(points, nodes_.data.half, exact_)) {
+        if (const auto found = found_shift(points, data_.data.half, exact_)) {
             const double shift = found->exact.convert_to<double>();
             add("shifted-origin",
                 fmt::format(
                     "x is shifted by {:.4g}: --origin {:.10g} if the data are measured from there",
-                    shift, nodes_.data.origin + shift),
+                    shift, data_.data.origin + shift),
                 exact_.a().value + shift, exact_.b().value - shift,
-                [&](std::size_t i) { return moved_pressure(nodes_[i].x - shift); });
+                [&](std::size_t i) { return moved_pressure(data_[i].x - shift); });
         }
     }
 
@@ -177,56 +171,67 @@ private:
 
     /// Adds suspects in which a program confused the coordinate x, as in the data.
     void maps() {
+        struct Map {
+            const char* name;
+            const char* what;
+            double right; ///< the ends of its contact in the x of the data
+            double left;
+            double from;            ///< the place is this, plus
+            double (*by)(double x); ///< this
+        };
+        static constexpr auto along = [](double x) { return x; };
+        static constexpr auto against = [](double x) { return -x; };
         const double a = exact_.a().value;
         const double b = exact_.b().value;
-        const double origin = nodes_.data.origin; // undoes the shift that was found
-        const auto map = [&](const char* name, const std::string& what, double right, double left,
-                             const auto& place) {
-            add(name, what, right - origin, left + origin,
-                [&](std::size_t i) { return moved_pressure(place(nodes_[i].x + origin)); });
-        };
-        map("x-for-u", "x is measured from the left edge", a + b, 0,
-            [=](double x) { return x - b; });
-        map("x-for-u", "x, understood as measured from the right edge inwards", a + b, 0,
-            [=](double x) { return a - x; });
-        map("x-for-u", "|x|, understood as measured from the right edge inwards", a + b, a + b,
-            [=](double x) { return a - std::abs(x); });
-        map("x-for-u", "x is measured from the right edge", 0, a + b,
-            [=](double x) { return x + a; });
-        if (exact_.symmetric()) {
-            return;
+        const double whole = a + b;
+        const double origin = data_.data.origin; // undoes the shift that was found
+        const Map maps[] = {
+            {"x-for-u", "x is measured from the left edge", whole, 0, -b, along},
+            {"x-for-u", "x, understood as measured from the right edge inwards", whole, 0, a,
+             against},
+            {"x-for-u", "|x|, understood as measured from the right edge inwards", whole, whole, a,
+             [](double x) { return -std::abs(x); }},
+            {"x-for-u", "x is measured from the right edge", 0, whole, a, along},
+            {"x-from-middle", "x is measured from the middle of the contact", whole / 2, whole / 2,
+             (a - b) / 2, along},
+            {"mirrored", "x has the opposite direction: the tilt is mirrored", b, a, 0, against},
+            {"edges-swapped", "the edges are swapped: each distance is from the other one", a, b,
+             a - b, against}};
+        for (const Map& map : maps) {
+            if (map.name == std::string_view("x-for-u") || !exact_.symmetric()) {
+                add(map.name, map.what, map.right - origin, map.left + origin, [&](std::size_t i) {
+                    return moved_pressure(map.from + map.by(data_[i].x + origin));
+                });
+            }
         }
-        map("x-from-middle", "x is measured from the middle of the contact", (a + b) / 2,
-            (a + b) / 2, [=](double x) { return x + (a - b) / 2; });
-        map("mirrored", "x has the opposite direction: the tilt is mirrored", b, a,
-            [](double x) { return -x; });
-        map("edges-swapped", "the edges are swapped: each distance is from the other one", a, b,
-            [=](double x) { return a - b - x; });
     }
 
     /// Adds nodal values that are means over elements.
     void means() {
-        const auto of_rows = [&](const std::string& what, double before, double here,
-                                 double behind) {
-            add("element-average", what, [&](std::size_t i) {
-                double sum = 0;
-                for (const auto& [weight, rows] :
-                     {std::pair{before, -1}, std::pair{here, 0}, std::pair{behind, 1}}) {
-                    sum += weight == 0 ? 0 : weight * exact_pressure(i, rows);
-                }
-                return sum;
-            });
+        struct Mean {
+            const char* what;
+            double before;
+            double here;
+            double behind;
         };
-        of_rows("p of a node is averaged over its two elements", 0.25, 0.5, 0.25);
-        of_rows("the mean over an element is given at its left node", 0, 0.5, 0.5);
-        of_rows("the mean over an element is given at its right node", 0.5, 0.5, 0);
+        for (const Mean& mean :
+             {Mean{"p of a node is averaged over its two elements", 0.25, 0.5, 0.25},
+              Mean{"the mean over an element is given at its left node", 0, 0.5, 0.5},
+              Mean{"the mean over an element is given at its right node", 0.5, 0.5, 0}}) {
+            add("element-average", mean.what, [&](std::size_t i) {
+                const auto part = [&](double weight, int rows) {
+                    return weight == 0 ? 0 : weight * exact_pressure(i, rows);
+                };
+                return part(mean.before, -1) + part(mean.here, 0) + part(mean.behind, 1);
+            });
+        }
         // The mean by Gauss's three points; this is inaccurate near an edge, where nodes are not
         // used.
-        const auto& all = nodes_.data.nodes;
+        const auto& all = data_.data.nodes;
         add("element-average", "p is the mean over the width of a node", [&](std::size_t i) {
-            const std::size_t at = nodes_.nodes[i];
+            const std::size_t at = data_.nodes[i];
             if (at == 0 || at + 1 >= all.size()) {
-                return std::numeric_limits<double>::quiet_NaN();
+                return no_value;
             }
             const double middle = (all[at - 1].x + 2 * all[at].x + all[at + 1].x) / 4;
             const double half = (all[at + 1].x - all[at - 1].x) / 4;
@@ -246,12 +251,12 @@ private:
         if (contacts_.scene().round) {
             return;
         }
-        const auto& all = nodes_.data.nodes;
+        const auto& all = data_.data.nodes;
         const auto of = [&](const std::string& elements, const auto& force) {
             add("nodal-forces",
                 "forces of the nodes, p times the width of an element, instead of p" + elements,
                 [&](std::size_t i) {
-                    const std::size_t at = nodes_.nodes[i];
+                    const std::size_t at = data_.nodes[i];
                     if (at == 0 || at + 1 >= all.size()) {
                         return no_value;
                     }
@@ -264,12 +269,12 @@ private:
             return (2 * exact_pressure(i) + exact_pressure(i, side)) * width / 6;
         });
         of("", [&](std::size_t i, int side, double width) {
-            const double middle = pressure(exact_, nodes_[i].x + side * width / 2);
+            const double middle = pressure(exact_, data_[i].x + side * width / 2);
             return (exact_pressure(i) + 2 * middle) * width / 6;
         });
         for (const std::size_t corner : {0U, 1U}) {
             of(": quadratic elements", [&](std::size_t i, int, double width) {
-                const bool at_corner = nodes_.nodes[i] % 2 == corner;
+                const bool at_corner = data_.nodes[i] % 2 == corner;
                 return exact_pressure(i) * width * (at_corner ? 1 : 2) / 3;
             });
         }
@@ -280,12 +285,12 @@ private:
     void soft_penalty() {
         const SoftContact& soft = contacts_.soft(exact_);
         const auto value = [&](const SoftContact::Solution& solution, std::size_t i) {
-            return nodes_[i].p.exact.value_or(no_value) + soft.change(solution, nodes_[i].x);
+            return data_[i].p.exact.value_or(no_value) + soft.change(solution, data_[i].x);
         };
         const auto fitted = soft.fitted([&](const SoftContact::Solution& solution) {
             double sum = 0;
-            for (std::size_t i = 0; i < nodes_.size(); ++i) {
-                const double off = nodes_[i].p.data - value(solution, i);
+            for (std::size_t i = 0; i < data_.size(); ++i) {
+                const double off = data_[i].p.data - value(solution, i);
                 sum += std::isfinite(off) ? off * off : 0;
             }
             return sum;
@@ -320,7 +325,7 @@ private:
                 add(names[n - 1],
                     fmt::format("the first {} of the expansion at {} instead of p", count, where),
                     [this, n, edge_of = edge_of](std::size_t i) {
-                        const auto& place = nodes_[i].place;
+                        const auto& place = data_[i].place;
                         const contact::Edge edge = edge_of(place);
                         const bool right = edge == contact::Edge::right;
                         const double u = right ? place.from_right : place.from_left;
@@ -334,7 +339,7 @@ private:
         }
     }
 
-    const UsedNodes& nodes_;
+    const Observed& data_;
     SuspectContacts& contacts_;
     const ExactContact& exact_;
     std::vector<Suspect> list_;
@@ -363,16 +368,16 @@ const SoftContact& SuspectContacts::soft(const ExactContact& exact) {
     return *soft_;
 }
 
-std::vector<Suspect> pressure_suspects(const UsedNodes& nodes, SuspectContacts& contacts,
+std::vector<Suspect> pressure_suspects(const Observed& data, SuspectContacts& contacts,
                                        const ExactContact& exact) {
     const PrecisionScope scope(ExactContact::place_digits);
-    return SuspectMaker(nodes, contacts, exact).of_pressure();
+    return SuspectMaker(data, contacts, exact).of_pressure();
 }
 
-std::vector<Suspect> shear_suspects(const UsedNodes& nodes, SuspectContacts& contacts,
+std::vector<Suspect> shear_suspects(const Observed& data, SuspectContacts& contacts,
                                     const ExactContact& exact) {
     const PrecisionScope scope(ExactContact::place_digits);
-    return SuspectMaker(nodes, contacts, exact).of_shear();
+    return SuspectMaker(data, contacts, exact).of_shear();
 }
 
 } // namespace edgeproof::comparison

@@ -68,8 +68,9 @@ struct ResultText {
     std::string file;
     std::vector<ResultLine> lines;
     char separator = ',';
-    std::size_t size = 0;      ///< cells of a row
-    std::size_t first_row = 0; ///< index of its line
+    std::size_t size = 0;                   ///< cells of a row
+    std::size_t first_row = 0;              ///< index of its line
+    std::vector<std::string> findings = {}; ///< notes on how it was read
 
     [[nodiscard]] std::vector<Cell> cells(const ResultLine& line) const {
         return split_row(line.text, separator);
@@ -124,11 +125,8 @@ struct TableHeader {
 /// CSLIP1, S11: a row for each node of the slave surface, with its place before the deformation. If
 /// the contact does not lie along COORD1, the first column is x, and S11 is the stress along it. Of
 /// the two tangential directions, the one with the larger values is taken.
-struct CalculixTable {
-    ResultText text;                   ///< each row has the number of its line in the file
-    std::vector<std::string> findings; ///< of several steps, or planes of nodes
-};
-
+/// Each row has the number of its line in the file.
+///
 /// Reads the contact output of an .frd file of CalculiX (in text, of the last step that has
 /// CONTACT, with SXX of STRESS). The contact lies along the coordinate with which the pressures
 /// change. Nodes of one plane across it are kept if the surface has several. Contact from surface
@@ -137,7 +135,7 @@ struct CalculixTable {
 /// text. Throws InputError, with the line, for a file without contact output, a .dat file (which
 /// has no places), a binary .frd file, a node without a place, and a row that is not as CalculiX
 /// writes it.
-[[nodiscard]] std::optional<CalculixTable> calculix_table(std::string_view text,
-                                                          const std::string& file);
+[[nodiscard]] std::optional<ResultText> calculix_table(std::string_view text,
+                                                       const std::string& file);
 
 } // namespace edgeproof::comparison

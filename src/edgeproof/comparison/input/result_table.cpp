@@ -57,7 +57,8 @@ public:
         if (header_.q) {
             required_.push_back({"q", header_.q->index});
         }
-        table_.findings = std::move(header_.findings);
+        table_.findings = std::move(text_.findings);
+        std::ranges::move(header_.findings, std::back_inserter(table_.findings));
     }
 
     ResultTable read() {
@@ -390,13 +391,7 @@ private:
 ResultTable parse_result(std::string_view text, const std::string& file,
                          const ResultReading& reading) {
     auto calculix = calculix_table(text, file);
-    ResultTable table =
-        TableReader(calculix ? std::move(calculix->text) : result_text(text, file), reading).read();
-    if (calculix) {
-        table.findings.insert(table.findings.begin(), calculix->findings.begin(),
-                              calculix->findings.end());
-    }
-    return table;
+    return TableReader(calculix ? std::move(*calculix) : result_text(text, file), reading).read();
 }
 
 ResultTable read_result(const std::filesystem::path& file, const ResultReading& reading) {

@@ -140,7 +140,7 @@ DataContact contact_of(const AlignedResult& data, const ExactContact& exact) {
     const double scatter = 4 * scatter_outside(data, std::max(found.element[0], found.element[1]));
     const double threshold = std::max(pressing_fraction * found.largest,
                                       std::min(scatter, most_of_scatter * found.largest));
-    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+    for (const contact::Edge edge : both_edges) {
         if (data.has(edge)) {
             const auto d = edge_of(inwards(data, edge), threshold);
             (edge == contact::Edge::right ? found.a : found.b) = d ? std::optional(-*d) : d;
@@ -243,7 +243,7 @@ std::vector<Undetermined> undetermined(const AlignedResult& data, const DataCont
             list.push_back({quantity, *why});
         }
     };
-    for (const contact::Edge at : {contact::Edge::right, contact::Edge::left}) {
+    for (const contact::Edge at : both_edges) {
         if (data.has(at)) {
             add(at == contact::Edge::right ? Determined::a : Determined::b,
                 no_edge(data, of_exact, exact, at));

@@ -15,6 +15,8 @@
 
 namespace edgeproof::comparison {
 
+inline constexpr std::array both_edges{contact::Edge::right, contact::Edge::left};
+
 /// What the shear traction of a scene is compared with.
 struct ExactShear {
     /// |Q|/(a + b) + |sigma_0|/4, the mean of |q| under full stick of Q and of sigma_0 alone: the

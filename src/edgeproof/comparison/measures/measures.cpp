@@ -116,7 +116,7 @@ std::optional<Errors> measure_shear(const AlignedResult& data, const ExactContac
 std::vector<DistanceErrors> by_distance(const AlignedResult& data, const ExactContact& exact) {
     std::vector<DistanceErrors> list;
     constexpr int decades = 12;
-    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+    for (const contact::Edge edge : both_edges) {
         for (int k = 0; k < decades; ++k) {
             const double to = k == 0 ? 0.5 : std::pow(10.0, -k);
             const double from = k + 1 == decades ? 0 : std::pow(10.0, -k - 1);

@@ -2,6 +2,7 @@
 #include "edgeproof/conformance/causes/cause_search.hpp"
 
 #include "edgeproof/conformance/causes/readings.hpp"
+#include "edgeproof/diagnose/factors.hpp"
 
 #include <fmt/format.h>
 

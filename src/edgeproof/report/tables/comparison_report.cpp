@@ -210,7 +210,7 @@ std::vector<HeldQuantity> held_quantities(const ComparisonReport& report,
     if (file.Q) {
         add({"Q", force, file.Q, 0, file.Q_of_exact, exact.shear()->force, ""});
     }
-    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+    for (const contact::Edge edge : comparison::both_edges) {
         const auto& fit = file.fits[index_of(edge)];
         const char* const where = edge == contact::Edge::right ? "" : " left";
         for (const std::size_t k : {0U, 1U}) {

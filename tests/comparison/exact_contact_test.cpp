@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/comparison/hertz_data.hpp"
+#include "tests/support/namespaces.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace edgeproof::hertz_data;
+
+TEST_CASE("the exact contact: Hertz by the textbook") {
+    CHECK(exact().a().value == doctest::Approx(a).epsilon(1e-15));
+    CHECK(exact().force().value == doctest::Approx(P).epsilon(1e-14));
+    // sqrt(a^2 - x^2) = sqrt(2a) u^(1/2) (1 - u/(4a) - ...)
+    const double c0 = p0 * std::sqrt(2 / a);
+    CHECK(exact().c(Edge::left, 0).value == doctest::Approx(c0).epsilon(1e-14));
+    CHECK(exact().c(Edge::right, 1).value == doctest::Approx(-c0 / (4 * a)).epsilon(1e-14));
+    CHECK(exact().scale().value == doctest::Approx(p0).epsilon(1e-14));
+    CHECK_FALSE(exact().scale().mean);
+    for (const double x : {-1.49, -0.3, 0.0, 0.7, 1.4999}) {
+        CHECK(exact().pressure(x) == doctest::Approx(p(x)).epsilon(1e-12));
+    }
+    CHECK(exact().pressure(1.6) == 0);
+}
+
+// p = C acosh(a/|x|)/pi of a wedge with E* = 1 (Johnson, section 5.2). With a = 1 + 2^-60 no
+// distance from the edge in binary64 has the digits of a place near the apex.
+TEST_CASE("the exact contact: p and q near a corner have the digits of the place") {
+    const ExactContact wedge(scene::parse_scene(
+        "[profile]\nkind = \"power-law\"\nm = \"0\"\nC = \"1\"\n[load]\n"
+        "a = \"1 + 2^-60\"\ncontact_modulus = \"1\"\n[shear]\nQ = \"(1 + 2^-60)/8\"\n"
+        "path = \"together\"\n",
+        "wedge.toml"));
+    for (const double x : {3.3e-15, -1e-13, 1e-9, -1e-5, 1e-3, 0.3}) {
+        CAPTURE(x);
+        const ExactContact::Place place = wedge.at(Real(x));
+        const double p = std::acosh(1 / std::abs(x)) / std::numbers::pi;
+        CHECK(wedge.p(place).value() == doctest::Approx(p).epsilon(3e-15));
+        CHECK(wedge.q(place).value() == doctest::Approx(p / 8).epsilon(3e-15));
+    }
+    CHECK_FALSE(wedge.p(wedge.at(Real(0))));
+}
+
+// P = pi/20 closes the contact up to the corner at 1; 1e-45 beyond it 128 bits do not separate
+// both.
+TEST_CASE("the exact contact: an edge that few bits do not separate from a corner") {
+    const ExactContact contact(
+        scene::parse_scene("[profile]\nkind = \"piecewise\"\nsymmetric = true\nknots = [\"1\"]\n"
+                           "slopes = [\"x/5\", \"x/5 + 1\"]\n[load]\nP = \"pi/20 + 1/10^45\"\n"
+                           "contact_modulus = \"1\"\n",
+                           "corner.toml"));
+    // Hertz with R = 5: p = sqrt(a^2 - x^2)/10
+    for (const double x : {0.0, -0.6, 0.8}) {
+        CHECK(contact.p(contact.at(Real(x))).value() ==
+              doctest::Approx(std::sqrt(1 - x * x) / 10).epsilon(3e-15));
+    }
+}
+
+// Slopes with a corner, a jump of g'', a branch point and no symmetry, and a body of revolution
+// without a closed form; places from 1e-7 of the contact next to edges and knots. The exact
+// pressures are those of rigorous integration.
+TEST_CASE("pressures of curved slopes for searches agree with the exact ones") {
+    for (const char* profile :
+         {"symmetric = true\nknots = [\"1/2\"]\nslopes = [\"x/10\", \"x/10 + (x - 1/2)^3\"]\n",
+          "knots = [\"0\", \"1/4\"]\nslopes = [\"sinh(x) - 1/10\", \"x^3\", \"1/64 + sqrt(x - "
+          "1/4)\"]\n",
+          "knots = [\"-1/3\"]\nslopes = [\"exp(x) - 1 + (x + 1/3)/5\", \"exp(x) - 1\"]\n",
+          "geometry = \"axisymmetric\"\nsymmetric = true\nknots = [\"1/2\"]\nslopes = [\"0\", \"x "
+          "- 1/2\"]\n"}) {
+        CAPTURE(profile);
+        const ExactContact contact(
+            scene::parse_scene(std::string("[profile]\nkind = \"piecewise\"\n") + profile +
+                                   "[load]\ncontact_modulus = \"100\"\na = \"3/4\"\n",
+                               "curved.toml"));
+        std::vector<double> places{-contact.b().value, contact.a().value};
+        for (const ContactKnot& knot : contact.knots()) {
+            places.push_back(knot.x);
+        }
+        for (const double place : places) {
+            for (const double away : {-0.2, -1e-2, -1e-4, -1e-7, 1e-7, 1e-4, 1e-2, 0.2}) {
+                const double x = place + away * contact.length();
+                CAPTURE(x);
+                const auto exact = contact.p(contact.at(Real(x)));
+                const auto quick = contact.quick_pressure(x);
+                REQUIRE(exact.has_value() == quick.has_value());
+                CHECK(quick.value_or(0) == doctest::Approx(exact.value_or(0)).epsilon(1e-9));
+            }
+        }
+    }
+}
+
+TEST_CASE("the peak of a flat-and-rounded punch lies inside, near the ends of the flat") {
+    const Scene scene =
+        parse_scene("[profile]\nkind = \"flat-and-rounded\"\nt = \"0.8\"\nR = \"1\"\n"
+                    "[load]\na = \"1\"\ncontact_modulus = \"1\"\n",
+                    "pad.toml");
+    const ExactContact pad(scene);
+    CHECK_FALSE(pad.scale().mean);
+    CHECK(std::abs(pad.scale().x) > 0.8);
+    double most = 0;
+    for (int i = 1; i < 4000; ++i) {
+        most = std::max(most, pad.pressure(i / 4000.0));
+    }
+    CHECK(pad.scale().value >= most);
+    CHECK(pad.scale().value < most * (1 + 1e-5));
+    CHECK(pad.knots().size() == 2); // the ends of the flat; at the origin the slope is smooth
+    CHECK(exact().knots().empty());
+}

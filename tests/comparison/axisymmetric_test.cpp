@@ -16,10 +16,8 @@
 namespace {
 
 scene::Scene compared_sphere(const std::string& load) {
-    return scene::parse_scene("[profile]\nkind = \"hertz\"\ngeometry = \"axisymmetric\"\nR = "
-                              "\"10\"\n[load]\n" +
-                                  load + "\ncontact_modulus = \"1e5\"\n",
-                              "sphere.toml");
+    return hertz_data::scene_of_words("kind=hertz geometry=axisymmetric R=10 contact_modulus=1e5 " +
+                                      load);
 }
 
 /// r and p of a sphere with a = 1 (johnson1985, section 4.2), p multiplied by a factor.
@@ -47,7 +45,7 @@ TEST_CASE("compare: radii and pressures of a sphere, with the total force") {
     for (const bool both_sides : {false, true}) {
         CAPTURE(both_sides);
         const FileComparison file =
-            compared_with(compared_sphere("a = \"1\""), sphere_data(1, both_sides));
+            compared_with(compared_sphere("a=1"), sphere_data(1, both_sides));
         CHECK(file.passes());
         const double P = 4.0 / 3 * 1e5 / 10; // 4 E* a^3/(3 R)
         // The error of trapezoids where p falls like a root; the exact p has the same.
@@ -58,10 +56,8 @@ TEST_CASE("compare: radii and pressures of a sphere, with the total force") {
 
 // p of a punch with a rounded edge, whose pressure is integrated, from the scene's own values.
 TEST_CASE("compare: a profile that is no power law") {
-    const scene::Scene s = scene::parse_scene(
-        "[profile]\nkind = \"flat-and-rounded\"\ngeometry = \"axisymmetric\"\nt = \"2/5\"\nR = "
-        "\"1\"\n[load]\na = \"1\"\ncontact_modulus = \"1\"\n",
-        "punch.toml");
+    const scene::Scene s = hertz_data::scene_of_words(
+        "kind=flat-and-rounded geometry=axisymmetric t=2/5 R=1 a=1 contact_modulus=1");
     std::string text = "r,p\n";
     std::vector<scene::AskedValue> asked;
     for (int i = 0; i < 40; ++i) {
@@ -82,12 +78,9 @@ TEST_CASE("compare: a profile that is no power law") {
 // The tip of a cone with a steeper part outside is a corner, where p is infinite, and its knot at
 // 1/2 is a bend, where p is finite.
 TEST_CASE("compare: the node on the corner of a body of revolution is left out") {
-    const scene::Scene s = scene::parse_scene(
-        "[profile]\nkind = \"piecewise\"\ngeometry = \"axisymmetric\"\nsymmetric = true\n"
-        "knots = [\"1/2\"]\nslopes = [\"1/10 + x/5\", \"1/5\"]\n"
-        "[load]\na = \"1\"\ncontact_modulus = \"1\"\n",
-        "cone.toml");
-    const ExactContact exact(s);
+    const ExactContact exact(
+        hertz_data::scene_of_words("kind=piecewise geometry=axisymmetric symmetric=true knots=1/2 "
+                                   "slopes=1/10+x/5,1/5 a=1 contact_modulus=1"));
     CHECK_FALSE(exact.p(exact.at(Real(0))).has_value());
     const double left = exact.p(exact.at(Real(0.5 - 1e-9))).value();
     const double right = exact.p(exact.at(Real(0.5 + 1e-9))).value();
@@ -99,7 +92,7 @@ TEST_CASE("compare: the node on the corner of a body of revolution is left out")
 TEST_CASE("compare: the force of one radian is named") {
     const double P = 4.0 / 3 * 1e5 / 10;
     const scene::Scene s =
-        compared_sphere(fmt::format("P = \"{:.17g}\"", P * 2 * std::acos(-1))); // for 2 pi radians
+        compared_sphere(fmt::format("P={:.17g}", P * 2 * std::acos(-1))); // for 2 pi radians
     const FileComparison file = compared_with(s, sphere_data(1, false));
     CHECK_FALSE(file.passes());
     CHECK(hertz_data::is_named(file.diagnosis, "force-per-radian"));

@@ -19,6 +19,7 @@ using hertz_data::Diagnosed;
 using hertz_data::even_places;
 using hertz_data::is_named;
 using hertz_data::number;
+using hertz_data::scene_of_words;
 using hertz_data::table;
 
 namespace {
@@ -49,16 +50,14 @@ struct LineOrBall {
     }
 };
 
-const std::string alike =
-    "E1 = \"182e3\"\nnu1 = \"0.3\"\nE2 = \"182e3\"\nnu2 = \"0.3\"\n"; // E* = 1e5
-const std::string unlike = "E1 = \"200e3\"\nnu1 = \"0.3\"\nE2 = \"70e3\"\nnu2 = \"0.35\"\n";
+const std::string alike = "E1=182e3 nu1=0.3 E2=182e3 nu2=0.3"; // E* = 1e5
+const std::string unlike = "E1=200e3 nu1=0.3 E2=70e3 nu2=0.35";
 constexpr double unlike_modulus = 1 / ((1 - 0.3 * 0.3) / 200e3 + (1 - 0.35 * 0.35) / 70e3);
 
 Scene hertz_scene(const std::string& moduli, bool ball = false) {
-    return parse_scene("[profile]\nkind = \"hertz\"\nR = \"10\"\n" +
-                           std::string(ball ? "geometry = \"axisymmetric\"\n" : "") +
-                           "[load]\nP = \"100\"\n" + moduli,
-                       "s.toml");
+    return scene_of_words(
+        (ball ? "kind=hertz geometry=axisymmetric R=10 P=100 " : "kind=hertz R=10 P=100 ") +
+        moduli);
 }
 
 void only(const FileComparison& file, const std::string& name) {
@@ -70,7 +69,7 @@ void only(const FileComparison& file, const std::string& name) {
 } // namespace
 
 TEST_CASE("causes: the first name is that of the mistake") {
-    const std::string rigid = "contact_modulus = \"1e5\"\n"; // of a body with nu = 0.3
+    const std::string rigid = "contact_modulus=1e5"; // of a body with nu = 0.3
     struct Case {
         std::string moduli;
         LineOrBall data;
@@ -302,9 +301,7 @@ TEST_CASE("causes: a smooth wave is not called mid-side nodes, and alternating n
 }
 
 TEST_CASE("causes: a mirrored tilted punch, rows shifted by one, terms instead of the pressure") {
-    const std::string text = "[profile]\nkind = \"tilted-wedge\"\nphi = \"0.1\"\nalpha = \"0.04\"\n"
-                             "[load]\na = \"1\"\ncontact_modulus = \"1\"\n";
-    Diagnosed contact(parse_scene(text, "s.toml"));
+    Diagnosed contact(scene_of_words("kind=tilted-wedge phi=0.1 alpha=0.04 a=1 contact_modulus=1"));
     const ExactContact& exact = contact.exact;
     // The right values at wrong places: the mistake is in the places.
     const auto first_name = [&](const std::function<double(double)>& p) {
@@ -329,11 +326,7 @@ TEST_CASE("causes: a mirrored tilted punch, rows shifted by one, terms instead o
 // (johnson1985, equations 5.37 and 5.38).
 TEST_CASE(
     "causes: forces of nodes of a wedge, from p at the nodes, from linear p, and integrated") {
-    const Scene scene =
-        parse_scene("[profile]\nkind = \"power-law\"\nm = \"0\"\nC = \"0.1\"\n[load]\n"
-                    "P = \"100\"\ncontact_modulus = \"1000\"\n",
-                    "s.toml");
-    Diagnosed contact(scene);
+    Diagnosed contact(scene_of_words("kind=power-law m=0 C=0.1 P=100 contact_modulus=1000"));
     const double slope = 100 / std::numbers::pi;
     const auto p = [&](double x) {
         return std::abs(x) < 1 ? slope * std::acosh(1 / std::abs(x)) : 0;

@@ -94,8 +94,7 @@ TEST_CASE("the rounding of pressures in the contact does not explain pressures o
             std::snprintf(p_text, sizeof p_text, "%.4e", std::abs(x) < a ? p(x) : outside);
             text += number(x) + "," + number(std::stod(p_text)) + "\n"; // digits after the fifth
         }
-        Diagnosed data(parse_scene(edgeproof::hertz_data::scene_text, "s.toml"));
-        return data.of(text, within(1e-9)).diagnosis;
+        return Diagnosed(edgeproof::hertz_data::hertz()).of(text, within(1e-9)).diagnosis;
     };
     CHECK(is_named(cause(0), "rounded-to-5"));
     REQUIRE(cause(0.8 * p0));
@@ -157,9 +156,7 @@ TEST_CASE("half of a symmetric contact") {
 TEST_CASE("half of a flat pad: the pressure in its middle is a small part of the greatest") {
     for (const std::string t : {"0.3", "0.84", "0.97", "0.999"}) {
         const ExactContact pad(
-            parse_scene("[profile]\nkind = \"flat-and-rounded\"\nR = \"1\"\nt = \"" + t +
-                            "\"\n[load]\na = \"1\"\ncontact_modulus = \"1\"\n",
-                        "s.toml"));
+            scene_of_words("kind=flat-and-rounded R=1 a=1 contact_modulus=1 t=" + t));
         // The nodes end at the edge, within an element of it, or outside; the last are a part only.
         for (const auto& [from, to, half] : {std::tuple{0.0, 1.0, true},
                                              {0.0, 0.9999, true},
@@ -242,11 +239,7 @@ TEST_CASE("data without a usable pressure: failures, not crashes") {
 TEST_CASE("a wedge: infinite at its apex, the mean pressure is the scale") {
     // For g' = phi sgn(x), half-width 1, E* = 1: p = (phi/pi) arcosh(a/|x|) (Johnson, eq. 5.7 with
     // cot alpha = phi) and P = phi a E*, so that the mean is phi/2.
-    const Scene scene =
-        parse_scene("[profile]\nkind = \"power-law\"\nm = \"0\"\nC = \"0.1\"\n[load]\na "
-                    "= \"1\"\ncontact_modulus = \"1\"\n",
-                    "wedge.toml");
-    const ExactContact wedge(scene);
+    const ExactContact wedge(scene_of_words("kind=power-law m=0 C=0.1 a=1 contact_modulus=1"));
     CHECK(wedge.scale().mean);
     CHECK(wedge.scale().value == doctest::Approx(0.05).epsilon(1e-12));
     const auto pressure = [](double x) {

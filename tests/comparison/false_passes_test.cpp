@@ -15,10 +15,6 @@ FileComparison judged(const std::string& text, const ExactContact& contact,
     return compare_file(parse_result(text, "drawn.csv"), contact, tolerances, Rational(0));
 }
 
-ExactContact contact_of_text(const std::string& text) {
-    return ExactContact(parse_scene(text, "drawn.toml"));
-}
-
 } // namespace
 
 // tests/false-passes/run draws right and wrong meshes.
@@ -58,7 +54,6 @@ TEST_CASE("pressures outside count relative to the peak, rows of one x with equa
 }
 
 TEST_CASE("a tolerance of gap, slip and sxx without data fails, with the reason") {
-    const Scene scene = parse_scene(edgeproof::hertz_data::scene_text, "hertz.toml");
     // Johnson, eq. 4.43: the gap from its slope; without shear sxx = -p on the surface.
     const auto gap = [](double x) {
         const double t = std::max(1.0, std::abs(x) / a);
@@ -73,7 +68,7 @@ TEST_CASE("a tolerance of gap, slip and sxx without data fails, with the reason"
         t.surface = 0.03;
         t.partial = true;
         FileComparison file = judged(text, exact(), t);
-        compare_surface(file, scene, exact(), t);
+        compare_surface(file, edgeproof::hertz_data::hertz(), exact(), t);
         return file.passes() ? "passes" : file.failures.front();
     };
     const auto right = [&](double x) { return number(gap(x)); };
@@ -121,9 +116,8 @@ TEST_CASE("half of a contact must begin in its middle, and --partial compares p 
 }
 
 TEST_CASE("a mesh that misses the peak of a sharp punch does not determine it") {
-    const ExactContact sharp = contact_of_text(
-        "[profile]\nkind = \"flat-and-rounded\"\nt = \"0.99\"\nR = \"1\"\n[load]\na = \"1\"\n"
-        "contact_modulus = \"1\"\n");
+    const ExactContact sharp(
+        scene_of_words("kind=flat-and-rounded t=0.99 R=1 a=1 contact_modulus=1"));
     const auto text = [&](int n) {
         return table(even_places(-1.05, 1.05, n), [&](double x) { return sharp.pressure(x); });
     };

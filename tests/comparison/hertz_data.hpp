@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/comparison/comparison.hpp"
+#include "edgeproof/scene/input/scene_words.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <iterator>
 #include <numbers>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -20,11 +23,16 @@ inline constexpr double a = 1.5;
 inline constexpr double p0 = 3 * a / (2 * 2);
 inline constexpr double P = std::numbers::pi * a * p0 / 2;
 
-inline const std::string scene_text = "[profile]\nkind = \"hertz\"\nR = \"2\"\n[load]\na = "
-                                      "\"1.5\"\ncontact_modulus = \"3\"\n";
+/// The scene of words such as "kind=hertz R=2 a=1.5".
+inline scene::Scene scene_of_words(const std::string& text) {
+    std::istringstream in(text);
+    const std::vector<std::string> words(std::istream_iterator<std::string>(in), {});
+    return scene::make_scene(scene::given_scene(words).instead);
+}
+inline scene::Scene hertz() { return scene_of_words("kind=hertz R=2 a=1.5 contact_modulus=3"); }
 
 inline const comparison::ExactContact& exact() {
-    static const comparison::ExactContact contact(scene::parse_scene(scene_text, "hertz.toml"));
+    static const comparison::ExactContact contact(hertz());
     return contact;
 }
 

@@ -56,7 +56,7 @@ TEST_CASE("errors at the edges only: the zone to leave out is suggested, in elem
     // A mesh that smears the edge over an element: the error is in the elements next to it.
     const double h = 1.0 / 16;
     const auto text = table(mesh, [h](double x) { return smeared(x, h); });
-    SuspectContacts suspects(parse_scene(edgeproof::hertz_data::scene_text, "s.toml"));
+    SuspectContacts suspects(edgeproof::hertz_data::hertz());
     const FileComparison file =
         compare_file(parse_result(text, "r.csv"), exact(), within(0.01), Rational(0), &suspects);
     REQUIRE_FALSE(file.passes());

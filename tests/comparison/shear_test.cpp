@@ -9,10 +9,8 @@ using namespace edgeproof::hertz_data;
 namespace {
 
 /// A Hertz contact with P = 1, a = 1: E*/R = 4/pi (Johnson, eq. 4.43), p_0 = 2/pi.
-std::string sheared_scene(const std::string& shear) {
-    return "[profile]\nkind = \"hertz\"\nR = \"1\"\n[load]\nP = \"1\"\n"
-           "contact_modulus = \"4/pi\"\n[shear]\n" +
-           shear;
+Diagnosed sheared(const std::string& shear) {
+    return Diagnosed(scene_of_words("kind=hertz R=1 P=1 contact_modulus=4/pi " + shear));
 }
 
 const double unit_p0 = 2 / std::numbers::pi;
@@ -32,7 +30,7 @@ std::string shear_rows(const std::function<double(double)>& q, double P = 1) {
 
 FileComparison shear_held(const std::string& shear, const std::string& rows,
                           const Tolerances& t = {}) {
-    return Diagnosed(parse_scene(sheared_scene(shear), "s.toml")).of(rows, t);
+    return sheared(shear).of(rows, t);
 }
 
 Tolerances shear_within(double tolerance) {
@@ -47,7 +45,7 @@ Tolerances shear_within(double tolerance) {
 TEST_CASE("shear: full stick by the textbook, in either direction of q; its errors at their size") {
     // q = (Q/pi + sigma_0 x/4)/sqrt(1 - x^2) with a = b = 1 (Johnson, eq. 7.22, with the signs of
     // src/edgeproof/contact/law/shear.hpp).
-    const std::string shear = "Q = \"0.2\"\nbulk_tension = \"0.1\"\n";
+    const std::string shear = "Q=0.2 bulk_tension=0.1";
     const auto q = [](double x) {
         return (0.2 / std::numbers::pi + 0.1 * x / 4) / std::sqrt(1 - x * x);
     };
@@ -91,8 +89,7 @@ TEST_CASE("shear: partial slip by Cattaneo and Mindlin, with a tension by Nowell
             const double y = (x - e) / c;
             return f * (unit_p(x) - (std::abs(y) < 1 ? unit_p0 * c * std::sqrt(1 - y * y) : 0));
         };
-        const std::string shear =
-            "Q = \"0.315\"\nfriction = \"0.5\"\nbulk_tension = \"" + number(tension) + "\"\n";
+        const std::string shear = "Q=0.315 friction=0.5 bulk_tension=" + number(tension);
         const FileComparison file = shear_held(shear, shear_rows(q), shear_within(1e-8));
         CHECK_MESSAGE(file.passes(), file.failures[0]);
         REQUIRE(file.shear);
@@ -108,19 +105,18 @@ TEST_CASE("shear: partial slip by Cattaneo and Mindlin, with a tension by Nowell
 
 TEST_CASE("shear: loads that grow together; q without shear, and shear without q") {
     const FileComparison together =
-        shear_held("Q = \"0.3\"\npath = \"together\"\n",
-                   shear_rows([](double x) { return 0.3 * unit_p(x); }), shear_within(1e-10));
+        shear_held("Q=0.3 path=together", shear_rows([](double x) { return 0.3 * unit_p(x); }),
+                   shear_within(1e-10));
     CHECK(together.passes());
     CHECK(together.shear->nodes > 80);
     const FileComparison none =
-        shear_held("Q = \"0.3\"\n", table(even_places(-1.2, 1.2, 96), unit_p), shear_within(1e-10));
+        shear_held("Q=0.3", table(even_places(-1.2, 1.2, 96), unit_p), shear_within(1e-10));
     CHECK(none.passes());
     CHECK_FALSE(none.shear);
     CHECK(has_finding(none, "the data have no q"));
     Tolerances asked;
     asked.q = 1e-3;
-    CHECK_FALSE(
-        shear_held("Q = \"0.3\"\n", table(even_places(-1.2, 1.2, 96), unit_p), asked).passes());
+    CHECK_FALSE(shear_held("Q=0.3", table(even_places(-1.2, 1.2, 96), unit_p), asked).passes());
     const FileComparison no_shear = compared(table(even_places(-2, 2, 96), p), asked);
     CHECK_FALSE(no_shear.passes());
     CHECK(no_shear.failures.front() == "q is not compared: the scene has no [shear]");
@@ -132,7 +128,7 @@ TEST_CASE("shear: loads that grow together; q without shear, and shear without q
 
 TEST_CASE("shear: the zone left out at the edges is left out at those of the stick zone, too") {
     // Mindlin: q = f p_0 (sqrt(1 - x^2) - c sqrt(1 - x^2/c^2)), c = sqrt(1 - Q/(f P)) = 0.6.
-    const std::string shear = "Q = \"0.32\"\nfriction = \"0.5\"\n";
+    const std::string shear = "Q=0.32 friction=0.5";
     const double c = 0.6;
     // A mesh is wrong next to c, where the slope of q is infinite.
     const auto wrong_at = [&](double place, double by) {
@@ -168,7 +164,7 @@ TEST_CASE("shear: the zone left out at the edges is left out at those of the sti
 TEST_CASE("shear: q that is written with too few digits hides its errors, and does not pass") {
     const auto zero = [](double) { return 0.0; };
     const FileComparison file =
-        shear_held("Q = \"0.2\"\nfriction = \"0.6\"\n", shear_rows(zero), shear_within(0.03));
+        shear_held("Q=0.2 friction=0.6", shear_rows(zero), shear_within(0.03));
     REQUIRE_FALSE(file.passes());
     CHECK(file.failures.back().starts_with("q is written with too few digits: they hide errors"));
 }

@@ -64,16 +64,6 @@ private:
             }
         }
     }
-    /// p or q, and what it is compared with.
-    struct Judged {
-        const char* symbol;
-        const Errors& errors;
-        double tolerance;
-        double scale;
-        std::string of_scale;
-        TractionOf of;
-        double ResultRow::*rounding;
-    };
     void pressure() {
         const Errors& errors = file_.errors;
         if (errors.nodes == 0) {
@@ -85,9 +75,7 @@ private:
                              "few for a comparison",
                              errors.inside, file_.inside));
         }
-        hold({"p", errors, tolerances_.pressure, exact_.scale().value,
-              exact_.scale().mean ? "of the mean pressure" : "of the peak", p_of,
-              &ResultRow::p_rounding});
+        hold("p", p_of, errors, tolerances_.pressure);
     }
     void shear() {
         if (!file_.shear) {
@@ -105,47 +93,50 @@ private:
                              file_.shear->inside, file_.inside));
             return;
         }
-        hold({"q", *file_.shear, tolerances_.q.value_or(tolerances_.pressure),
-              exact_.shear()->scale, "of " + exact_.shear()->scale_text, q_of,
-              &ResultRow::q_rounding});
+        hold("q", q_of, *file_.shear, tolerances_.q.value_or(tolerances_.pressure));
     }
-    void hold(const Judged& judged) {
+    /// Compares the errors of p or q with its tolerance.
+    void hold(const char* symbol, TractionOf of, const Errors& errors, double tolerance) {
+        const bool is_p = of == p_of;
+        const double scale = is_p ? exact_.scale().value : exact_.shear()->scale;
+        const std::string of_scale = !is_p                 ? "of " + exact_.shear()->scale_text
+                                     : exact_.scale().mean ? "of the mean pressure"
+                                                           : "of the peak";
         // Written digits may explain errors up to the tolerance, or the usual one: larger errors
         // would be hidden completely.
         double hidden = 0;
         for (std::size_t i = 0; i < file_.data.nodes.size(); ++i) {
             const Node& node = file_.data.nodes[i];
-            const Traction* const t = judged.of(node);
+            const ResultRow& row = file_.table.rows[i];
+            const Traction* const t = of(node);
             if (t != nullptr && t->exact && is_counted(node, tolerances_.zone, file_.contact)) {
-                const double rounding = file_.table.rows[i].*judged.rounding;
-                hidden = std::max(hidden, std::min(std::abs(t->error), rounding) / judged.scale);
+                const double rounding = is_p ? row.p_rounding : row.q_rounding;
+                hidden = std::max(hidden, std::min(std::abs(t->error), rounding) / scale);
             }
         }
-        if (!(hidden <= std::max(judged.tolerance, Tolerances::usual))) {
-            fail(fmt::format("{} is written with too few digits: they hide errors of {} {}",
-                             judged.symbol, percent(hidden), judged.of_scale));
+        if (!(hidden <= std::max(tolerance, Tolerances::usual))) {
+            fail(fmt::format("{} is written with too few digits: they hide errors of {} {}", symbol,
+                             percent(hidden), of_scale));
         }
-        const double error = in_norm(judged.errors, tolerances_.of);
-        if (error <= judged.tolerance) {
+        const double error = in_norm(errors, tolerances_.of);
+        if (error <= tolerance) {
             return;
         }
-        const auto worst =
-            tolerances_.of == Norm::local ? judged.errors.worst_local : judged.errors.worst;
-        std::string relative_to = judged.of_scale;
+        const bool local = tolerances_.of == Norm::local;
+        const auto worst = local ? errors.worst_local : errors.worst;
+        std::string relative_to = of_scale;
         std::string where;
         if (tolerances_.of == Norm::l2) {
             relative_to = "in the L2 norm";
         } else if (worst) {
             const Node& node = file_.data.nodes[*worst];
             where = fmt::format(": line {}, x = {:.6g}, {} = {:.6g}, exact {:.6g}", node.line,
-                                node.x, judged.symbol, judged.of(node)->data,
-                                judged.of(node)->exact.value_or(0));
-            if (tolerances_.of == Norm::local && node.place.inside()) {
-                relative_to = fmt::format("of {} itself", judged.symbol);
-            }
+                                node.x, symbol, of(node)->data, of(node)->exact.value_or(0));
+            relative_to =
+                local && node.place.inside() ? fmt::format("of {} itself", symbol) : of_scale;
         }
-        fail(fmt::format("the error of {}, {} {}, is more than {}{}", judged.symbol, percent(error),
-                         relative_to, percent(judged.tolerance), where));
+        fail(fmt::format("the error of {}, {} {}, is more than {}{}", symbol, percent(error),
+                         relative_to, percent(tolerance), where));
     }
     /// The difference between a value of the data and the result of the same rule for the exact
     /// pressure, relative to the exact value.

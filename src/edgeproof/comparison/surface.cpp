@@ -9,12 +9,48 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <iterator>
+#include <optional>
 
 namespace edgeproof::comparison {
 namespace {
 
 constexpr unsigned surface_digits = 12;
+constexpr double on_an_edge = 1e-9; ///< relative to a + b: no value is necessary there
+
+using scene::Quantity;
+
+/// A quantity along the surface; the index is that of surface_roles.
+struct SurfaceQuantity {
+    const char* name;
+    Quantity quantity;
+    const char* where; ///< its nodes
+};
+constexpr SurfaceQuantity quantities[] = {{"gap", Quantity::gap, "outside the contact and "},
+                                          {"slip", Quantity::slip_displacement, "outside "},
+                                          {"sxx", Quantity::sxx, "outside "}};
+
+/// A node, and the value of the data and of the scene there.
+struct Pair {
+    std::size_t node;
+    double data;
+    double exact;
+};
+
+/// The largest error of the pairs; `found` has the rest.
+SurfaceErrors with_errors(SurfaceErrors found, const std::vector<Pair>& pairs, double sign) {
+    found.peak = -1;
+    for (const Pair& p : pairs) {
+        const double error = std::abs(sign * p.data - p.exact) / found.scale;
+        if (!(error <= found.peak)) {
+            found.peak = error;
+            found.worst = p.node;
+            found.data = sign * p.data;
+            found.exact = p.exact;
+        }
+    }
+    return found;
+}
 
 class SurfaceComparison {
 public:
@@ -23,12 +59,10 @@ public:
         : file_(file), scene_(scene), exact_(exact), tolerances_(tolerances) {}
 
     void compare_all() {
-        if (usable(0, "gap")) {
-            keep(compare(0, "gap", scene::Quantity::gap));
-        }
-        slip();
-        if (usable(2, "sxx")) {
-            sxx();
+        for (std::size_t k = 0; k < std::size(quantities); ++k) {
+            if (usable(k)) {
+                keep(compared(k));
+            }
         }
         if (tolerances_.surface && !any_column_) {
             file_.failures.emplace_back("neither gap nor slip nor sxx is compared: the data have "
@@ -37,37 +71,17 @@ public:
     }
 
 private:
-    void slip() {
-        const bool friction = scene_.shear && scene_.shear->friction;
-        const bool zero = std::ranges::all_of(
-            file_.table.rows, [](const ResultRow& row) { return row.surface[1].value_or(0) == 0; });
-        if ((zero && !friction) || !usable(1, "slip")) {
-            return; // programs write zeros for a contact without friction
-        }
-        if (!friction) {
-            not_compared("slip", "the scene has no friction");
-            return;
-        }
-        keep(compare(1, "slip", scene::Quantity::slip_displacement));
-    }
-    void sxx() {
-        const auto of_A = compare(2, "sxx", scene::Quantity::sxx);
-        if (!of_A || !scene_.shear) {
-            keep(of_A);
-            return;
-        }
-        const auto of_B = compare(2, "sxx", scene::Quantity::sxx, scene::Body::B);
-        const bool B = of_B && of_B->peak < of_A->peak;
-        keep(B ? of_B : of_A);
-        file_.data.findings.push_back(fmt::format(
-            "sxx is compared with that of body {}, which agrees better", B ? "B" : "A"));
-    }
-
     /// True if the data have the quantity, and each cell of its column is a number or empty.
-    bool usable(std::size_t k, const char* name) {
+    bool usable(std::size_t k) {
+        const std::string name = quantities[k].name;
         const auto& rows = file_.table.rows;
-        if (std::ranges::none_of(
-                rows, [k](const ResultRow& row) { return row.surface[k].has_value(); })) {
+        const bool slip = quantities[k].quantity == Quantity::slip_displacement;
+        const bool friction = scene_.shear && scene_.shear->friction;
+        // Programs write zeros for a contact without friction.
+        const bool none = std::ranges::all_of(rows, [&](const ResultRow& row) {
+            return slip && !friction ? row.surface[k].value_or(0) == 0 : !row.surface[k];
+        });
+        if (none) {
             return false;
         }
         any_column_ = true;
@@ -77,8 +91,10 @@ private:
             not_compared(name, fmt::format("its cell in line {} is no number; leave the cell empty "
                                            "if there is no value",
                                            bad->line));
+        } else if (slip && !friction) {
+            not_compared(name, "the scene has no friction");
         }
-        return bad == rows.end();
+        return bad == rows.end() && (!slip || friction);
     }
     /// A quantity that has a tolerance fails if it is not compared.
     void not_compared(const std::string& name, const std::string& why) {
@@ -100,49 +116,28 @@ private:
         }
     }
 
-    struct Pair {
-        std::size_t node;
-        double data;
-        double exact;
-    };
-
-    /// The largest error, of slip for the better one of its directions; nothing, with the reason,
-    /// if too few nodes have a value.
-    std::optional<SurfaceErrors> compare(std::size_t k, const char* name, scene::Quantity quantity,
-                                         scene::Body body = scene::Body::A) {
-        const bool gap = quantity == scene::Quantity::gap;
-        const bool of_slip = quantity == scene::Quantity::slip_displacement;
-        const bool of_sxx = quantity == scene::Quantity::sxx;
-        std::unique_ptr<scene::SceneValues> values;
-        std::string route;
-        std::string why;
-        /// Nothing where the scene has no value: on an edge, or without a closed form.
-        const auto exact = [&](double x) -> std::optional<double> {
-            check_interruption();
-            scene::AskedValue asked = asked_at(quantity, Real(x));
-            if (of_sxx) {
-                asked.place.reset();
-                asked.in_body = {
-                    formula::Exact(formula::Expr::number(exact_rational(x))), {}, body};
-            }
-            try {
-                if (!values) {
-                    values = std::make_unique<scene::SceneValues>(
-                        scene_, std::vector{asked},
-                        scene::Digits{surface_digits, Rounding::nearest, false});
-                }
-                const scene::BoundedValue value = values->value(asked);
-                route = value.how();
-                return value.value.midpoint().convert_to<double>();
-            } catch (const Error& error) {
-                why = error.what();
-                return {};
-            }
-        };
+    /// The errors for the direction of the slip, and for the body with sxx, that agree better.
+    std::optional<SurfaceErrors> compared(std::size_t k) {
+        const auto of_A = compared(k, scene::Body::A);
+        if (quantities[k].quantity != Quantity::sxx || !of_A || !scene_.shear) {
+            return of_A;
+        }
+        const auto of_B = compared(k, scene::Body::B);
+        const bool B = of_B && of_B->peak < of_A->peak;
+        file_.data.findings.push_back(fmt::format(
+            "sxx is compared with that of body {}, which agrees better", B ? "B" : "A"));
+        return B ? of_B : of_A;
+    }
+    /// Returns nothing, with the reason, if too few nodes have a value.
+    std::optional<SurfaceErrors> compared(std::size_t k, scene::Body body) {
+        const auto& [name, quantity, where] = quantities[k];
+        const bool gap = quantity == Quantity::gap;
+        const bool of_slip = quantity == Quantity::slip_displacement;
         std::vector<Pair> pairs;
         double largest = 0;
         std::size_t given = 0; // nodes whose value shows whether the quantity is right
         std::size_t unknown = 0;
+        values_.reset();
         for (std::size_t i = 0; i < file_.data.nodes.size(); ++i) {
             const Node& node = file_.data.nodes[i];
             const auto& data = file_.table.rows[i].surface[k];
@@ -152,8 +147,8 @@ private:
                 continue;
             }
             const bool closed = gap && inside;
-            constexpr double on_an_edge = 1e-9; // no value is necessary there
-            if (const auto value = closed ? std::optional(0.0) : exact(node.x)) {
+            const auto value = closed ? std::optional(0.0) : exact(quantity, body, node.x);
+            if (value) {
                 pairs.push_back({i, *data, *value});
                 largest = std::max(largest, std::abs(*value));
                 given += closed ? 0 : 1;
@@ -162,15 +157,14 @@ private:
             }
         }
         if (unknown > 0) {
-            not_compared(fmt::format("{} at {}", name,
-                                     unknown == 1 ? "1 node" : fmt::format("{} nodes", unknown)),
-                         why);
+            not_compared(fmt::format("{} at {} node{}", name, unknown, unknown == 1 ? "" : "s"),
+                         why_);
         }
         if (given < fewest_inside) {
-            not_compared(name, fmt::format("{} of the nodes {}the edge zones {} it; at least {} "
-                                           "are necessary",
-                                           given, gap ? "outside the contact and " : "outside ",
-                                           given == 1 ? "has" : "have", fewest_inside));
+            not_compared(name,
+                         fmt::format("{} of the nodes {}the edge zones {} it; at least {} "
+                                     "are necessary",
+                                     given, where, given == 1 ? "has" : "have", fewest_inside));
             return {};
         }
         if (!(largest > 0)) {
@@ -179,35 +173,46 @@ private:
             }
             return {};
         }
-        SurfaceErrors found{name,
-                            of_sxx ? exact_.scale().mean ? "of the mean pressure" : "of the peak"
-                                   : fmt::format("of the largest exact {} at these nodes", name),
-                            route,
-                            of_sxx ? exact_.scale().value : largest,
-                            pairs.size(),
-                            INFINITY};
-        for (const double sign : {1.0, of_slip ? -1.0 : 1.0}) {
-            SurfaceErrors one = found;
-            one.peak = -1;
-            for (const Pair& p : pairs) {
-                const double error = std::abs(sign * p.data - p.exact) / found.scale;
-                if (!(error <= one.peak)) {
-                    one.peak = error;
-                    one.worst = p.node;
-                    one.data = sign * p.data;
-                    one.exact = p.exact;
-                }
-            }
-            found = one.peak < found.peak ? one : found;
+        const bool of_sxx = quantity == Quantity::sxx;
+        const SurfaceErrors found{name,
+                                  of_sxx
+                                      ? exact_.scale().mean ? "of the mean pressure" : "of the peak"
+                                      : fmt::format("of the largest exact {} at these nodes", name),
+                                  route_, of_sxx ? exact_.scale().value : largest, pairs.size()};
+        const SurfaceErrors right = with_errors(found, pairs, 1);
+        const SurfaceErrors left = with_errors(found, pairs, -1);
+        return of_slip && left.peak < right.peak ? left : right;
+    }
+    /// Nothing where the scene has no value: on an edge, or without a closed form.
+    std::optional<double> exact(Quantity quantity, scene::Body body, double x) {
+        check_interruption();
+        scene::AskedValue asked = asked_at(quantity, Real(x));
+        if (quantity == Quantity::sxx) {
+            asked.place.reset();
+            asked.in_body = {formula::Exact(formula::Expr::number(exact_rational(x))), {}, body};
         }
-        return found;
+        try {
+            if (!values_) {
+                values_.emplace(scene_, std::vector{asked},
+                                scene::Digits{surface_digits, Rounding::nearest, false});
+            }
+            const scene::BoundedValue value = values_->value(asked);
+            route_ = value.how();
+            return value.value.midpoint().convert_to<double>();
+        } catch (const Error& error) {
+            why_ = error.what();
+            return {};
+        }
     }
 
     FileComparison& file_;
     const scene::Scene& scene_;
     const ExactContact& exact_;
     const Tolerances& tolerances_;
-    bool any_column_ = false; ///< the data have gap, slip or sxx
+    bool any_column_ = false;                  ///< the data have gap, slip or sxx
+    std::optional<scene::SceneValues> values_; ///< of the present quantity
+    std::string route_;
+    std::string why_; ///< there is no value
 };
 
 } // namespace

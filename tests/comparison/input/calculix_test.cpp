@@ -4,6 +4,7 @@
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "tests/comparison/hertz_data.hpp"
 #include "tests/support/namespaces.hpp"
 #include "tests/support/paths.hpp"
 
@@ -161,10 +162,8 @@ TEST_CASE("slip: partial slip of a cylinder by the textbook, in either direction
     // Mindlin: q = f p_0 (sqrt(1 - x^2/a^2) - c/a sqrt(1 - x^2/c^2)), c/a = sqrt(1 - Q/(f P)). The
     // slope of the relative displacement of an elliptical pressure outside its zone is
     // 2 p_0/(E* a) sqrt(x^2 - c^2) (Johnson, section 4.2), so the slip at x > c is its integral.
-    const std::string text =
-        "[profile]\nkind = \"hertz\"\nR = \"1\"\n[load]\nP = \"1\"\n"
-        "contact_modulus = \"4/pi\"\n[shear]\nQ = \"0.32\"\nfriction = \"0.5\"\n";
-    const Scene scene = parse_scene(text, "s.toml"); // a = 1, p_0 = 2/pi, c = 0.6
+    const Scene scene = hertz_data::scene_of_words( // a = 1, p_0 = 2/pi, c = 0.6
+        "kind=hertz R=1 P=1 contact_modulus=4/pi Q=0.32 friction=0.5");
     const ExactContact exact(scene);
     const double c = 0.6;
     const double rate = 0.5 * (2 / std::numbers::pi) / (4 / std::numbers::pi) * 2;

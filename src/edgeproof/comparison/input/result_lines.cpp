@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace edgeproof::comparison {
@@ -236,39 +238,53 @@ std::optional<std::string> number_of(const Cell& cell, char separator) {
     return separator != ',' || cell.quoted ? io::with_decimal_point(cell.text) : std::nullopt;
 }
 
-void DecimalMarks::see(std::string_view text, std::size_t line) {
+namespace {
+
+/// The first mark of a number, if it has one.
+struct Mark {
+    char mark = '\0';
+    bool group = false; ///< it may stand between thousands
+    bool plain = false; ///< there is none, and at most three digits, not all 0
+};
+
+Mark mark_of(std::string_view text) {
     const std::size_t at = text.find_first_of(".,");
     if (at == std::string_view::npos) {
         const auto digits =
             std::ranges::count_if(text, [](char c) { return c >= '0' && c <= '9'; });
-        plain_ = plain_ || (digits <= 3 && text.find_first_of("123456789") != text.npos);
-        return;
+        return {.plain = digits <= 3 && text.find_first_of("123456789") != text.npos};
     }
     std::string_view whole = text.substr(0, at);
     whole.remove_prefix(whole.starts_with('-') || whole.starts_with('+') ? 1 : 0);
-    const bool group = !whole.empty() && whole.size() <= 3 && whole.front() != '0' &&
-                       text.size() - at == 4 &&
-                       text.find_first_not_of("0123456789", at + 1) == std::string_view::npos;
-    Mark& mark = text[at] == ',' ? comma_ : point_;
-    mark.decimal = mark.decimal || !group;
-    if (group && mark.group.empty()) {
-        mark.group = text;
-        mark.line = line;
-    }
+    return {text[at], !whole.empty() && whole.size() <= 3 && whole.front() != '0' &&
+                          text.size() - at == 4 &&
+                          text.find_first_not_of("0123456789", at + 1) == text.npos};
 }
 
-std::optional<DecimalMarks::Ambiguous>
-DecimalMarks::ambiguous(const std::vector<DecimalMarks>& columns) {
-    const bool commas =
-        std::ranges::any_of(columns, [](const DecimalMarks& c) { return c.comma_.decimal; });
-    const bool points =
-        std::ranges::any_of(columns, [](const DecimalMarks& c) { return c.point_.decimal; });
-    for (const DecimalMarks& c : columns) {
-        if (!c.comma_.group.empty() && !commas && (c.plain_ || points)) {
-            return Ambiguous{c.comma_.line, c.comma_.group};
+} // namespace
+
+std::optional<std::pair<std::size_t, std::size_t>>
+ambiguous_mark(const std::vector<std::vector<std::string>>& columns) {
+    std::vector<std::vector<Mark>> marks;
+    std::set<char> decimal; // the marks that cannot stand between thousands in some number
+    for (const auto& column : columns) {
+        std::ranges::transform(column, std::back_inserter(marks.emplace_back()), mark_of);
+        for (const Mark& m : marks.back()) {
+            if (!m.group) {
+                decimal.insert(m.mark);
+            }
         }
-        if (!c.point_.group.empty() && !points && commas) {
-            return Ambiguous{c.point_.line, c.point_.group};
+    }
+    for (std::size_t k = 0; k < marks.size(); ++k) {
+        const bool plain = std::ranges::any_of(marks[k], &Mark::plain);
+        for (const char mark : {',', '.'}) {
+            const auto found = std::ranges::find_if(
+                marks[k], [mark](const Mark& m) { return m.group && m.mark == mark; });
+            const bool other = decimal.contains(mark == ',' ? '.' : ',');
+            if (found != marks[k].end() && !decimal.contains(mark) &&
+                (other || (plain && mark == ','))) {
+                return std::pair(k, static_cast<std::size_t>(found - marks[k].begin()));
+            }
         }
     }
     return {};

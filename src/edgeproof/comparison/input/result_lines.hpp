@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace edgeproof::comparison {
@@ -37,31 +38,11 @@ struct ResultLine {
 /// The text of a cell for a message: quoted, printable, not long.
 [[nodiscard]] std::string shown_cell(std::string_view text);
 
-/// The decimal marks of one column, to find numbers such as `1,031` that may be 1031 or 1.031.
-class DecimalMarks {
-public:
-    void see(std::string_view text, std::size_t line);
-
-    struct Ambiguous {
-        std::size_t line = 0;
-        std::string text;
-    };
-    /// Returns the first number whose mark may stand between thousands: three digits follow the
-    /// mark, no number of the file shows that it is the decimal one, and the other mark is, or the
-    /// column has smaller whole numbers without a mark.
-    [[nodiscard]] static std::optional<Ambiguous>
-    ambiguous(const std::vector<DecimalMarks>& columns);
-
-private:
-    struct Mark {
-        bool decimal = false; ///< it cannot stand between thousands in some number
-        std::string group;    ///< the first number in which it can
-        std::size_t line = 0;
-    };
-    Mark comma_;
-    Mark point_;
-    bool plain_ = false; ///< a number of at most three digits has no mark
-};
+/// Returns the column and the index of the first number whose mark may stand between thousands,
+/// such as `1,031`: three digits follow the mark, no number of the columns shows that it is the
+/// decimal one, and the other mark is, or the column has smaller whole numbers without a mark.
+[[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>>
+ambiguous_mark(const std::vector<std::vector<std::string>>& columns);
 
 /// The lines of a file that are not blank, and the shape of the rows of numbers.
 struct ResultText {

@@ -217,8 +217,8 @@ private:
         ResultRow row;
         row.line = line.number;
         Texts& texts = texts_.emplace_back();
-        marks_[0].see(cells[header_.x.index].text, line.number);
-        marks_[1].see(cells[header_.p.index].text, line.number);
+        cells_[0].push_back(cells[header_.x.index].text);
+        cells_[1].push_back(cells[header_.p.index].text);
         texts.x = *number_of(cells[header_.x.index], text_.separator);
         texts.p = *number_of(cells[header_.p.index], text_.separator);
         row.x = value(line, texts.x, header_.x.factor);
@@ -322,11 +322,12 @@ private:
 
     void finish() {
         auto& rows = table_.rows;
-        if (const auto number = DecimalMarks::ambiguous(marks_)) {
-            std::string whole = number->text;
+        if (const auto at = ambiguous_mark(cells_)) {
+            const std::string& number = cells_[at->first][at->second];
+            std::string whole = number;
             std::erase_if(whole, [](char c) { return c == ',' || c == '.'; });
-            text_.reject(number->line,
-                         fmt::format("{} may be {}, or a decimal", shown_cell(number->text), whole),
+            text_.reject(rows[at->second].line,
+                         fmt::format("{} may be {}, or a decimal", shown_cell(number), whole),
                          "use one decimal mark, and no mark between thousands");
         }
         keep_last_step();
@@ -379,9 +380,9 @@ private:
     TableHeader header_;
     ResultTable table_;
     std::vector<Required> required_;
-    bool numbered_ = false;              ///< the first cell of the first row is a number
-    std::vector<DecimalMarks> marks_{2}; ///< of x and p
-    std::vector<Texts> texts_;           ///< of each row
+    bool numbered_ = false; ///< the first cell of the first row is a number
+    std::vector<std::vector<std::string>> cells_{2}; ///< of x and p, as written
+    std::vector<Texts> texts_;                       ///< of each row
     std::size_t skipped_ = 0;
     std::size_t first_skipped_ = 0;
 };

@@ -256,9 +256,9 @@ std::vector<Undetermined> undetermined(const AlignedResult& data, const DataCont
     }
     if (!exact.scale().mean && !(most >= (1 - most_off) * exact.scale().value)) {
         add(Determined::largest,
-            fmt::format("the largest p is not determined: it is {:.6g} at x = {:.6g}, and the "
-                        "exact pressure at these nodes reaches {:.6g}",
-                        exact.scale().value, exact.scale().x, most));
+            fmt::format("the largest p is not determined: it is {:.6g}, and the exact pressure at "
+                        "these nodes reaches {:.6g}",
+                        exact.scale().value, most));
     }
     return list;
 }

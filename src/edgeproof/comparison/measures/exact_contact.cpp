@@ -4,10 +4,8 @@
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/precision.hpp"
 #include "edgeproof/quadrature/gauss_legendre.hpp"
-#include "edgeproof/roots/bracketed_root.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -116,55 +114,13 @@ ExactValue ExactContact::c(contact::Edge edge, std::size_t k) const {
     return known[k];
 }
 
-/// Finds the largest p from samples, which are dense near knots, where p may rise steeply; then
-/// refines the best sample between its neighbours. At the maximum p is flat, so an error of its
-/// place has little effect.
 const ExactContact::Scale& ExactContact::scale() const {
     if (!scale_) {
-        scale_ = Scale{force_.value / area(), 0, true};
-        if (std::ranges::none_of(knots_, &ContactKnot::corner)) {
-            find_scale();
-        }
+        const bool mean = std::ranges::any_of(knots_, &ContactKnot::corner);
+        scale_ = mean ? Scale{force_.value / area(), true}
+                      : Scale{value({scene::Quantity::p_max}).value, false};
     }
     return *scale_;
-}
-
-void ExactContact::find_scale() const {
-    std::vector<double> samples;
-    constexpr int even = 160;
-    for (int i = 1; i < even; ++i) {
-        samples.push_back(-b_.value + length() * i / even);
-    }
-    for (const ContactKnot& knot : knots_) {
-        samples.push_back(knot.x);
-        for (double step = 0.1 * length(); step > 1e-9 * length(); step /= 2.5) {
-            samples.push_back(knot.x - step);
-            samples.push_back(knot.x + step);
-        }
-    }
-    std::erase_if(samples, [&](double x) { return x <= -b_.value || x >= a_.value; });
-    std::ranges::sort(samples);
-    std::size_t best = 0;
-    double largest = 0;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-        check_interruption();
-        if (const double here = quick_pressure(samples[i]).value_or(0); here > largest) {
-            largest = here;
-            best = i;
-        }
-    }
-    constexpr int steps = 60;
-    double x = roots::place_of_minimum(
-        [&](double place) {
-            check_interruption();
-            return -quick_pressure(place).value_or(0);
-        },
-        samples[best > 0 ? best - 1 : best], samples[std::min(best + 1, samples.size() - 1)],
-        steps);
-    const double here = quick_pressure(x).value_or(0);
-    x = here > largest ? x : samples[best];
-    largest = std::max(here, largest);
-    scale_ = Scale{p(at(Real(x))).value_or(largest), x, false};
 }
 
 std::string ExactContact::pressure_route() const {

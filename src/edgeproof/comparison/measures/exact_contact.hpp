@@ -118,7 +118,6 @@ public:
     /// g' inside the contact), the mean one, P/area().
     struct Scale {
         double value = 0;
-        double x = 0; ///< the place of the largest pressure
         bool mean = false;
     };
     [[nodiscard]] const Scale& scale() const;
@@ -160,7 +159,6 @@ private:
              std::optional<scene::Binary64Values>& values) const;
     void solve();
     void find_shear();
-    void find_scale() const;
 
     scene::Scene scene_;
     std::unique_ptr<scene::SceneValues> values_;

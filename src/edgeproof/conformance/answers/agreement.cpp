@@ -59,47 +59,21 @@ std::vector<Sizes> sizes_of(const Questions& questions, ReferenceOptions options
     return list;
 }
 
-/// The place of a point: the distances from its edge, from the origin, and from the nearest knot.
-struct PointPlace {
-    double u;
-    double x;
-    double from_knot = std::numeric_limits<double>::infinity();
-    double length; ///< a + b
-
-    PointPlace(const Question& q, const Sizes& s)
-        : u(q.u->to<Real>().convert_to<double>()),
-          x(q.edge == contact::Edge::right ? s.a - u : u - s.b), length(s.a + s.b) {
-        for (const double knot : s.knots) {
-            from_knot = std::min(from_knot, std::abs(x - knot));
-        }
-    }
-    [[nodiscard]] Regime regime() const {
-        return std::min(u, length - u) <= length / 1000 ? Regime::near_edge
-               : std::abs(x) <= length / 100            ? Regime::apex
-               : from_knot <= length / 100              ? Regime::knot
-               : u > length / 2                         ? Regime::far_field
-                                                        : Regime::interior;
-    }
-    [[nodiscard]] bool outside() const { return !(u > 0 && u < length); }
-};
-
-Regime regime_of(const Question& q, const Sizes& sizes) {
-    return q.u           ? PointPlace(q, sizes).regime()
-           : q.at_edge() ? Regime::coefficient
-                         : Regime::contact;
-}
-
 Nearness nearness_of(const Question& q, const Sizes& sizes) {
-    if (q.u) {
-        const PointPlace at(q, sizes);
-        return {at.u / at.length, std::max(1 - at.u / at.length, 0.0),
-                std::min(std::abs(at.x), at.from_knot) / at.length};
-    }
-    if (sizes.knots.empty()) {
-        return {};
-    }
     const double length = sizes.a + sizes.b;
-    Nearness near{.edge_to_knot = 1};
+    Nearness near;
+    if (q.u) {
+        const double u = q.u->to<Real>().convert_to<double>();
+        const double x = q.edge == contact::Edge::right ? sizes.a - u : u - sizes.b;
+        near.edge = u / length;
+        near.other_edge = std::max(1 - u / length, 0.0);
+        near.apex = near.knot = std::abs(x) / length;
+        for (const double knot : sizes.knots) {
+            near.knot = std::min(near.knot, std::abs(x - knot) / length);
+        }
+        return near;
+    }
+    near.edge_to_knot = sizes.knots.empty() ? 0 : 1;
     for (const double knot : sizes.knots) {
         const bool right = !q.at_edge() || q.edge == contact::Edge::right;
         const bool left = !q.at_edge() || q.edge == contact::Edge::left;
@@ -109,6 +83,17 @@ Nearness nearness_of(const Question& q, const Sizes& sizes) {
         }
     }
     return near;
+}
+
+Regime regime_of(const Question& q, const Nearness& near) {
+    constexpr double by_edge = 1e-3;
+    constexpr double by_knot = 1e-2;
+    return !q.u ? q.at_edge() ? Regime::coefficient : Regime::contact
+           : std::min(near.edge, near.other_edge) <= by_edge ? Regime::near_edge
+           : near.apex <= by_knot                            ? Regime::apex
+           : near.knot <= by_knot                            ? Regime::knot
+           : near.edge > 0.5                                 ? Regime::far_field
+                                                             : Regime::interior;
 }
 
 Real ulp(const Real& x) {
@@ -183,16 +168,18 @@ Agreements held_against(std::vector<ReferenceOrWhy> found, const Answers& answer
             const Question& q = questions.list[i];
             const Sizes& s = sizes[q.contact];
             CaseAgreement& held = result.cases[i];
-            held.regime = regime_of(q, s);
+            held.nearness = nearness_of(q, s);
+            held.regime = regime_of(q, held.nearness);
             held.no_reference = std::move(found[i].why);
             if (found[i].reference) {
                 result.references[i] = std::move(*found[i].reference);
                 held.reference = printed_text(result.references[i].value,
                                               {std::min(result.digits, 20U), Rounding::nearest});
                 held.scale = scale_of(q, std::abs(s.force), s.a + s.b);
-                held.nearness = nearness_of(q, s);
-            } else if (q.u && PointPlace(q, s).outside()) {
-                held.regime = Regime::outside;
+            } else {
+                const bool outside = q.u && !(held.nearness.edge > 0 && held.nearness.edge < 1);
+                held.regime = outside ? Regime::outside : held.regime;
+                held.nearness = {};
             }
             judge(held, answers.given[i], result.references[i], target, result.digits);
         }

@@ -41,7 +41,8 @@ struct Target {
 struct Nearness {
     double edge = 0;         ///< of a point: u
     double other_edge = 0;   ///< of a point: a + b - u
-    double knot = 0;         ///< of a point: the distance from the nearest knot or the apex
+    double apex = 0;         ///< of a point: the distance from the minimum of the profile
+    double knot = 0;         ///< the same, or from the nearest knot if that is less
     double edge_to_knot = 0; ///< of another question: from an edge to the nearest knot
 };
 

@@ -76,9 +76,8 @@ GridAxis read_axis(const io::TomlSection& section, const std::string& key) {
         values = {parameter.text};
     }
     axis.values = std::move(values);
-    if (axis.values.empty()) {
-        section.reject(key, "there is no value of " + key, "give one value or several");
-    }
+    section.require(!axis.values.empty(), key, "there is no value of " + key,
+                    "give one value or several");
     return axis;
 }
 
@@ -114,10 +113,8 @@ std::vector<io::TomlSection::Item> read_points(const io::TomlSection& scene) {
         points = scene.exacts("u");
     }
     for (const auto& [u, line] : points) {
-        if (u.sign() <= 0) {
-            scene.reject(line, "u = " + u.text() + " is not inside the contact",
-                         "give distances from the edge, 0 < u < a + b");
-        }
+        scene.require(u.sign() > 0, line, "u = " + u.text() + " is not inside the contact",
+                      "give distances from the edge, 0 < u < a + b");
     }
     return points;
 }
@@ -127,15 +124,12 @@ std::vector<scene::BodyPoint> read_body_points(const io::TomlSection& scene) {
     std::vector<scene::BodyPoint> points;
     for (const std::string& body :
          scene.has("bodies") ? scene.texts("bodies") : std::vector<std::string>{"A"}) {
-        if (body != "A" && body != "B") {
-            scene.reject("bodies", "there is no body '" + body + "'",
-                         "write \"A\" (on which Q acts) or \"B\"");
-        }
+        scene.require(body == "A" || body == "B", "bodies", "there is no body '" + body + "'",
+                      "write \"A\" (on which Q acts) or \"B\"");
         for (const auto& [x, z] : scene.pairs("points")) {
-            if (z.value.sign() < 0) {
-                scene.reject(z.line, "the depth z = " + z.value.text() + " is negative",
-                             "give points [x, z] with z >= 0, the depth into the body");
-            }
+            scene.require(z.value.sign() >= 0, z.line,
+                          "the depth z = " + z.value.text() + " is negative",
+                          "give points [x, z] with z >= 0, the depth into the body");
             points.push_back({x.value, z.value, body == "A" ? scene::Body::A : scene::Body::B});
         }
     }
@@ -148,10 +142,8 @@ std::vector<Question> read_asked(const io::TomlSection& scene, std::size_t& line
     line = scene.line("quantities");
     for (const std::string& name : scene.texts("quantities")) {
         const auto quantity = scene::quantity_named(name);
-        if (!quantity) {
-            scene.reject("quantities", "unknown quantity '" + name + "'",
-                         scene::quantity_advice(name));
-        }
+        scene.require(quantity.has_value(), "quantities", "unknown quantity '" + name + "'",
+                      scene::quantity_advice(name));
         quantities.push_back(*quantity);
     }
     const std::vector<contact::Edge> edges =
@@ -180,24 +172,21 @@ std::vector<Question> read_asked(const io::TomlSection& scene, std::size_t& line
     };
     const auto at_point = [](const auto& row) { return row.at_point(); };
     const auto to_tolerance = [](const auto& row) { return row.tolerance; };
-    if (tolerances.empty() && !questions("", {}, to_tolerance).empty()) {
-        scene.reject("quantities", "an extent is requested and there is no tolerance",
-                     "add tolerance = \"1%\"");
-    }
-    if (points.empty() && !questions("", {}, at_point).empty()) {
-        scene.reject("quantities", "p or q is requested and there are no points",
-                     "add u = [\"1e-3\", \"0.1\"]");
-    }
-    if (quantities.empty()) {
-        scene.reject(scene.line(), "no quantity is requested", "add quantities = [\"p\"]");
-    }
     const auto in_body = [](const auto& row) {
         return row.place == scene::QuantityRow::Place::body;
     };
-    if (!scene.has("points") && !questions("", {}, in_body).empty()) {
-        scene.reject("quantities", "a stress is requested and there are no points",
-                     "add points = [[\"0\", \"1/2\"]] (x, z)");
-    }
+    const auto require_places = [&](bool given, const auto& is, const char* problem,
+                                    const char* instead) {
+        scene.require(given || questions("", {}, is).empty(), "quantities", problem, instead);
+    };
+    require_places(!tolerances.empty(), to_tolerance,
+                   "an extent is requested and there is no tolerance", "add tolerance = \"1%\"");
+    require_places(!points.empty(), at_point, "p or q is requested and there are no points",
+                   "add u = [\"1e-3\", \"0.1\"]");
+    scene.require(!quantities.empty(), scene.line(), "no quantity is requested",
+                  "add quantities = [\"p\"]");
+    require_places(scene.has("points"), in_body, "a stress is requested and there are no points",
+                   "add points = [[\"0\", \"1/2\"]] (x, z)");
     std::vector<Question> list;
     const auto add = [&](std::vector<Question> more) {
         std::ranges::move(more, std::back_inserter(list));

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -28,54 +29,38 @@ namespace {
 /// not depend on the number of threads, and an answer depends on nothing outside its piece.
 using Piece = std::vector<std::size_t>;
 
-std::vector<scene::AskedValue> values_of(const Questions& questions, const Piece& piece) {
+/// The solved contact of a piece.
+std::unique_ptr<scene::SceneValues> solved(const Questions& questions, const Piece& piece,
+                                           const scene::Digits& digits) {
+    scene::Scene scene = questions.contacts[questions.list[piece.front()].contact].scene;
+    scene.file = questions.file;
     std::vector<scene::AskedValue> values;
     for (const std::size_t i : piece) {
         values.push_back(questions.list[i]);
     }
-    return values;
+    return std::make_unique<scene::SceneValues>(scene, values, digits);
 }
 
-scene::Scene scene_of(const Questions& questions, const Piece& piece) {
-    scene::Scene scene = questions.contacts[questions.list[piece.front()].contact].scene;
-    scene.file = questions.file;
-    return scene;
-}
-
-/// The answers of one piece.
-class Answering {
-public:
-    Answering(const Questions& questions, const Piece& piece, const scene::Digits& digits)
-        : questions_(questions),
-          values_(scene_of(questions, piece), values_of(questions, piece), digits) {}
-
-    [[nodiscard]] Reference answer(std::size_t i) {
-        const Question& q = questions_.list[i];
-        if (q.at_point()) {
-            try {
-                scene::BoundedValue x = values_.x(q);
-                return {values_.value(q), std::move(x)};
-            } catch (const DomainError& error) {
-                throw InputError("u = " + q.u->text() + " from the " + scene::edge_name(q.edge) +
-                                     " edge: " + error.what(),
-                                 "give distances from the edge, 0 < u < a + b, off every corner")
-                    .at(questions_.file, q.line);
-            }
+Reference answer(scene::SceneValues& values, const Question& q, const std::string& file) {
+    if (q.at_point()) {
+        try {
+            scene::BoundedValue x = values.x(q);
+            return {values.value(q), std::move(x)};
+        } catch (const DomainError& error) {
+            throw InputError("u = " + q.u->text() + " from the " + scene::edge_name(q.edge) +
+                                 " edge: " + error.what(),
+                             "give distances from the edge, 0 < u < a + b, off every corner")
+                .at(file, q.line);
         }
-        if (q.quantity == scene::Quantity::extent && !values_.searched(q).reached) {
-            throw InputError("there is no first exit: n = " + std::to_string(q.k) +
-                                 " terms stay within the tolerance all over the contact",
-                             "ask for measure_" + std::to_string(q.k) +
-                                 ", or give a smaller tolerance")
-                .at(questions_.file, q.line);
-        }
-        return {values_.value(q), {}};
     }
-
-private:
-    const Questions& questions_;
-    scene::SceneValues values_;
-};
+    if (q.quantity == scene::Quantity::extent && !values.searched(q).reached) {
+        throw InputError("there is no first exit: n = " + std::to_string(q.k) +
+                             " terms stay within the tolerance all over the contact",
+                         "ask for measure_" + std::to_string(q.k) + ", or give a smaller tolerance")
+            .at(file, q.line);
+    }
+    return {values.value(q), {}};
+}
 
 std::vector<Piece> pieces_of(const Questions& questions) {
     constexpr std::size_t most_in_a_piece = 128;
@@ -95,20 +80,21 @@ std::vector<Piece> pieces_of(const Questions& questions) {
     return pieces;
 }
 
-/// Calls `handle(i, answering)` for each question, in several threads; answering() returns the
-/// answers of its piece.
+/// Calls `handle(i, contact)` for each question, in several threads; contact() is the solved
+/// contact of its piece.
 template <class Handle>
 void answer_all(const Questions& questions, const ReferenceOptions& options, const Handle& handle) {
     const std::vector<Piece> pieces = pieces_of(questions);
     std::atomic<std::size_t> done{0};
     parallel::parallel_for(pieces.size(), options.threads, [&](std::size_t p) {
-        std::optional<Answering> answers;
-        const auto answering = [&]() -> Answering& {
-            return answers ? *answers : answers.emplace(questions, pieces[p], options.digits);
+        std::unique_ptr<scene::SceneValues> values;
+        const auto contact = [&]() -> scene::SceneValues& {
+            values = values ? std::move(values) : solved(questions, pieces[p], options.digits);
+            return *values;
         };
         for (const std::size_t i : pieces[p]) {
             check_interruption();
-            handle(i, answering);
+            handle(i, contact);
             const std::size_t n = ++done;
             if (options.progress) {
                 options.progress(n, questions.list.size());
@@ -121,9 +107,10 @@ void answer_all(const Questions& questions, const ReferenceOptions& options, con
 
 std::vector<Reference> references(const Questions& questions, const ReferenceOptions& options) {
     std::vector<Reference> results(questions.list.size());
-    answer_all(questions, options, [&](std::size_t i, const auto& answering) {
-        results[i] = io::at_place(questions.file, questions.list[i].line,
-                                  [&] { return answering().answer(i); });
+    answer_all(questions, options, [&](std::size_t i, const auto& contact) {
+        const Question& q = questions.list[i];
+        results[i] = io::at_place(questions.file, q.line,
+                                  [&] { return answer(contact(), q, questions.file); });
     });
     return results;
 }
@@ -131,15 +118,15 @@ std::vector<Reference> references(const Questions& questions, const ReferenceOpt
 std::vector<ReferenceOrWhy> references_or_why(const Questions& questions,
                                               const ReferenceOptions& options, bool strict) {
     std::vector<ReferenceOrWhy> results(questions.list.size());
-    answer_all(questions, options, [&](std::size_t i, const auto& answering) {
+    answer_all(questions, options, [&](std::size_t i, const auto& contact) {
         const Question& q = questions.list[i];
         if (strict) {
-            (void)answering(); // throws for an invalid contact
+            (void)contact(); // throws for an invalid contact
         } else if (lack_of(questions.contacts[q.contact].scene, q)) {
             return; // the approach of a plane contact, q without shear
         }
         try {
-            results[i].reference = answering().answer(i);
+            results[i].reference = answer(contact(), q, questions.file);
         } catch (const InputError& error) {
             if (strict && !q.at_point()) {
                 throw;

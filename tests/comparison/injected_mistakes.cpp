@@ -15,7 +15,6 @@ namespace {
 
 using Make = std::function<std::optional<Program>(const SceneKeys&)>;
 constexpr double pi = std::numbers::pi;
-using test::keys_of;
 
 /// Changes programs for contacts that have one of the keys; all contacts if no keys are given.
 Make with(const std::vector<std::string>& names, const std::function<void(Program&)>& change) {
@@ -144,43 +143,28 @@ void forces_of_rows(std::vector<ComputedRow>& list) {
     }
 }
 
+/// A line: the name, and the keys of the scene.
+const char* const contacts_and_keys = R"(
+two cylinders, like materials: profile.kind=hertz profile.R1=20 profile.R2=50 load.P=300 LIKE
+two cylinders, unlike materials: profile.kind=hertz profile.R1=20 profile.R2=50 load.P=300 UNLIKE
+a flat with rounded edges, unlike materials: profile.kind=flat-and-rounded profile.t=2 profile.R=75 load.P=400 UNLIKE
+a tilted wedge, a given: profile.kind=tilted-wedge profile.phi=0.15 profile.alpha=0.05 load.a=1 LIKE
+a tilted flat with rounded edges: profile.kind=tilted-flat-and-rounded profile.alpha=0.01 profile.t=2 profile.R=75 load.P=1500 UNLIKE
+a wedge under P and M: profile.kind=tilted-wedge profile.phi=0.1 load.P=5000 load.M=-2000 LIKE
+two cylinders, full stick: profile.kind=hertz profile.R1=20 profile.R2=50 load.P=300 LIKE shear.Q=40 shear.bulk_tension=60
+a flat with rounded edges, full stick: profile.kind=flat-and-rounded profile.t=2 profile.R=75 load.P=400 LIKE shear.Q=40 shear.bulk_tension=-25
+two cylinders, partial slip: profile.kind=hertz profile.R1=20 profile.R2=50 load.P=300 LIKE shear.Q=60 shear.friction=0.5
+two spheres: profile.geometry=axisymmetric profile.kind=hertz profile.R1=20 profile.R2=50 load.P=300 UNLIKE
+a cone, delta given: profile.geometry=axisymmetric profile.kind=power-law profile.m=0 profile.C=0.1 load.delta=0.19 LIKE
+a sphere, partial slip: profile.geometry=axisymmetric profile.kind=hertz profile.R=20 load.P=300 LIKE shear.Q=60 shear.friction=0.5
+a tilted flat with rounded edges, partial slip: profile.kind=tilted-flat-and-rounded profile.alpha=0.01 profile.t=2 profile.R=75 load.P=1500 LIKE shear.Q=200 shear.bulk_tension=10 shear.friction=0.4
+)";
+
 } // namespace
 
 const std::vector<TestedContact>& tested_contacts() {
-    static const std::string like = " load.E1=200e3 load.nu1=0.3 load.E2=200e3 load.nu2=0.3";
-    static const std::string unlike = " load.E1=200e3 load.nu1=0.3 load.E2=70e3 load.nu2=0.35";
-    static const std::string cylinders =
-        "profile.kind=hertz profile.R1=20 profile.R2=50 load.P=300";
-    static const std::string pad =
-        "profile.kind=flat-and-rounded profile.t=2 profile.R=75 load.P=400";
-    static const std::string tilted = "profile.kind=tilted-flat-and-rounded profile.alpha=0.01 "
-                                      "profile.t=2 profile.R=75 load.P=1500";
-    static const std::vector<TestedContact> list{
-        {"two cylinders, like materials", keys_of(cylinders + like)},
-        {"two cylinders, unlike materials", keys_of(cylinders + unlike)},
-        {"a flat with rounded edges, unlike materials", keys_of(pad + unlike)},
-        {"a tilted wedge, a given",
-         keys_of("profile.kind=tilted-wedge profile.phi=0.15 profile.alpha=0.05 load.a=1" + like)},
-        {"a tilted flat with rounded edges", keys_of(tilted + unlike)},
-        {"a wedge under P and M",
-         keys_of("profile.kind=tilted-wedge profile.phi=0.1 load.P=5000 load.M=-2000" + like)},
-        {"two cylinders, full stick",
-         keys_of(cylinders + like + " shear.Q=40 shear.bulk_tension=60")},
-        {"a flat with rounded edges, full stick",
-         keys_of(pad + like + " shear.Q=40 shear.bulk_tension=-25")},
-        {"two cylinders, partial slip",
-         keys_of(cylinders + like + " shear.Q=60 shear.friction=0.5")},
-        {"two spheres", keys_of("profile.geometry=axisymmetric " + cylinders + unlike)},
-        {"a cone, delta given", keys_of("profile.geometry=axisymmetric profile.kind=power-law "
-                                        "profile.m=0 profile.C=0.1 load.delta=0.19" +
-                                        like)},
-        {"a sphere, partial slip",
-         keys_of("profile.geometry=axisymmetric profile.kind=hertz profile.R=20 load.P=300 "
-                 "shear.Q=60 shear.friction=0.5" +
-                 like)},
-        {"a tilted flat with rounded edges, partial slip",
-         keys_of(tilted + like + " shear.Q=200 shear.bulk_tension=10 shear.friction=0.4")},
-    };
+    static const std::vector<TestedContact> list = test::contacts_in(
+        contacts_and_keys, "load.E1=200e3 load.nu1=0.3 load.E2=70e3 load.nu2=0.35");
     return list;
 }
 

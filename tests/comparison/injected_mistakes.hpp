@@ -15,10 +15,7 @@ namespace edgeproof::comparison {
 
 using test::SceneKeys;
 
-struct TestedContact {
-    std::string name;
-    SceneKeys keys;
-};
+using test::TestedContact;
 [[nodiscard]] const std::vector<TestedContact>& tested_contacts();
 
 struct ComputedRow {

@@ -116,74 +116,64 @@ Moved moved(const FileComparison& file, bool shear, const ExactContact& exact) {
     return {std::sqrt(off / count) / largest, std::sqrt(size / count) / largest};
 }
 
-class Trials {
-public:
-    Trials(std::uint64_t seed, test::MistakeCounts& result) : seed_(seed), result_(result) {}
+std::vector<std::string> names_in(const std::optional<Diagnosis>& diagnosis) {
+    std::vector<std::string> names;
+    if (diagnosis) {
+        std::ranges::transform(diagnosis->causes, std::back_inserter(names), &Cause::name);
+    }
+    return names;
+}
 
-    void contact(const TestedContact& tested) {
-        const bool shear = tested.keys.contains("shear.Q");
-        SuspectContacts suspects(test::scene_of(tested.keys));
-        const ExactContact exact(suspects.scene());
-        for (const InjectedMistake& mistake : injected_mistakes()) {
-            if (mistake.of_shear != shear) {
-                continue;
-            }
-            const auto program = mistake.make(tested.keys);
-            const auto rows = program ? computed(*program, shear) : std::nullopt;
-            if (!rows) {
-                continue;
-            }
-            Tolerances strict;
-            strict.pressure = no_effect;
-            const auto compared = [&](double noise) {
-                ++drawn_; // each case has its own noise
-                return compare_file(
-                    parse_result(table_of(*rows, program->digits, noise, seed_ + (drawn_ << 32U)),
-                                 "simulated.csv"),
-                    exact, strict, Rational(0), &suspects);
-            };
-            const Moved effect = moved(compared(0), shear, exact);
-            if (!mistake.name.empty() && effect.by < no_effect) {
-                continue; // no mistake in this contact
-            }
-            for (std::size_t level = 0; level < test::noise_levels.size(); ++level) {
-                trial(tested, mistake, effect, compared(test::noise_levels[level]), level);
-            }
+/// Counts the trials of all mistakes in one contact. `drawn`: the number of cases before, each of
+/// which has its own noise.
+void count_in(const TestedContact& tested, std::uint64_t seed, std::uint64_t& drawn,
+              test::MistakeCounts& counts) {
+    const bool shear = tested.keys.contains("shear.Q");
+    SuspectContacts suspects(test::scene_of(tested.keys));
+    const ExactContact exact(suspects.scene());
+    for (const InjectedMistake& mistake : injected_mistakes()) {
+        if (mistake.of_shear != shear) {
+            continue;
+        }
+        const auto program = mistake.make(tested.keys);
+        const auto rows = program ? computed(*program, shear) : std::nullopt;
+        if (!rows) {
+            continue;
+        }
+        Tolerances strict;
+        strict.pressure = no_effect;
+        const auto compared = [&](double noise) {
+            ++drawn;
+            return compare_file(
+                parse_result(table_of(*rows, program->digits, noise, seed + (drawn << 32U)),
+                             "simulated.csv"),
+                exact, strict, Rational(0), &suspects);
+        };
+        const Moved effect = moved(compared(0), shear, exact);
+        if (!mistake.name.empty() && effect.by < no_effect) {
+            continue; // no mistake in this contact
+        }
+        for (std::size_t level = 0; level < test::noise_levels.size(); ++level) {
+            const double noise = test::noise_levels[level];
+            const FileComparison file = compared(noise);
+            test::MistakeTrial trial{mistake.name, tested.name, level,
+                                     names_in(shear ? file.shear_diagnosis : file.diagnosis)};
+            trial.hidden = !mistake.name.empty() && effect.by < above_noise * noise * effect.noise;
+            // With a mistake in q, p is right.
+            trial.misled = shear && !names_in(file.diagnosis).empty();
+            counts.count(trial);
         }
     }
-
-private:
-    static std::vector<std::string> names_in(const std::optional<Diagnosis>& diagnosis) {
-        std::vector<std::string> names;
-        if (diagnosis) {
-            std::ranges::transform(diagnosis->causes, std::back_inserter(names), &Cause::name);
-        }
-        return names;
-    }
-    void trial(const TestedContact& tested, const InjectedMistake& mistake, const Moved& effect,
-               const FileComparison& file, std::size_t level) {
-        const double noise = test::noise_levels[level];
-        const auto& diagnosis = mistake.of_shear ? file.shear_diagnosis : file.diagnosis;
-        test::MistakeTrial trial{mistake.name, tested.name, level, names_in(diagnosis)};
-        trial.hidden = !mistake.name.empty() && effect.by < above_noise * noise * effect.noise;
-        // With a mistake in q, p is right.
-        trial.misled = mistake.of_shear && !names_in(file.diagnosis).empty();
-        result_.count(trial);
-    }
-
-    std::uint64_t seed_;
-    std::uint64_t drawn_ = 0;
-    test::MistakeCounts& result_;
-};
+}
 
 } // namespace
 
 test::MistakeCounts count_named(std::uint64_t seed, const std::vector<std::string>& contacts) {
     test::MistakeCounts result;
-    Trials trials(seed, result);
+    std::uint64_t drawn = 0;
     for (const TestedContact& contact : tested_contacts()) {
         if (contacts.empty() || std::ranges::find(contacts, contact.name) != contacts.end()) {
-            trials.contact(contact);
+            count_in(contact, seed, drawn, result);
             ++result.contacts;
         }
     }

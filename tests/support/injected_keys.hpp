@@ -16,6 +16,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Mistakes of users, put into right data with noise, test the diagnoses of `edgeproof compare` and
@@ -148,6 +149,32 @@ inline SceneKeys keys_of(const std::string& text) {
         keys.emplace(word.substr(0, equals), word.substr(equals + 1));
     }
     return keys;
+}
+
+/// A contact into whose data mistakes are put.
+struct TestedContact {
+    std::string name;
+    SceneKeys keys;
+};
+/// Reads lines such as "a wedge: profile.kind=power-law ...". LIKE stands for two bodies of steel;
+/// UNLIKE for bodies with the keys `unlike`.
+inline std::vector<TestedContact> contacts_in(const std::string& text, const std::string& unlike) {
+    std::vector<TestedContact> all;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t colon = line.find(": ");
+        if (colon == std::string::npos) {
+            continue;
+        }
+        SceneKeys keys = keys_of(line.substr(colon + 2));
+        if (keys.erase("LIKE") == 1) {
+            keys.merge(keys_of("load.E1=200e3 load.nu1=0.3 load.E2=200e3 load.nu2=0.3"));
+        } else if (keys.erase("UNLIKE") == 1) {
+            keys.merge(keys_of(unlike));
+        }
+        all.push_back({line.substr(0, colon), std::move(keys)});
+    }
+    return all;
 }
 
 inline scene::Scene scene_of(const SceneKeys& keys) {

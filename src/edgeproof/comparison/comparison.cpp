@@ -12,13 +12,16 @@ namespace edgeproof::comparison {
 namespace {
 
 void count_nodes(FileComparison& file) {
-    for (const Node& node : file.data.nodes) {
-        const bool inside = node.place.inside();
-        file.inside += inside ? 1 : 0;
-        file.outside += inside ? 0 : 1;
-        file.pressing_outside +=
-            !inside && std::abs(node.p.data) > pressing_fraction * file.contact.largest ? 1 : 0;
-    }
+    const auto& nodes = file.data.nodes;
+    const auto count = [&](const auto& counts) {
+        return static_cast<std::size_t>(std::ranges::count_if(nodes, counts));
+    };
+    file.inside = count([](const Node& node) { return node.place.inside(); });
+    file.outside = nodes.size() - file.inside;
+    file.pressing_outside = count([&](const Node& node) {
+        return !node.place.inside() &&
+               std::abs(node.p.data) > pressing_fraction * file.contact.largest;
+    });
 }
 
 /// Integrates Q by trapezoids, for the data and for the exact q at the same nodes.
@@ -157,42 +160,80 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
     return file;
 }
 
+std::vector<ComparedQuantity> compared_quantities(const FileComparison& file,
+                                                  const ExactContact& exact) {
+    const DataContact& data = file.contact;
+    const DataContact& rule = file.of_exact;
+    std::vector<ComparedQuantity> list{{"a", contact::Edge::right, data.a, rule.a, exact.a().value},
+                                       {"b", contact::Edge::left, data.b, rule.b, exact.b().value},
+                                       {"P", {}, data.force, rule.force, exact.force().value}};
+    if (!exact.scale().mean) {
+        list.push_back({"largest p", {}, data.largest, rule.largest, exact.scale().value});
+    }
+    if (file.Q) {
+        list.push_back({"Q", {}, file.Q, file.Q_of_exact, exact.shear()->force});
+    }
+    for (const contact::Edge edge : both_edges) {
+        const auto& fit = file.fits[index_of(edge)];
+        for (const std::size_t k : {0U, 1U}) {
+            ComparedQuantity& q = list.emplace_back(ComparedQuantity{
+                fmt::format("c_{}{}", k, edge == contact::Edge::right ? "" : " left"), edge});
+            q.exact = exact.c(edge, k).value;
+            if (!fit) {
+                q.note = "(too few nodes)";
+                continue;
+            }
+            const FittedCoefficient& c = k == 0 ? fit->c0 : fit->c1;
+            q.data = c.value;
+            q.spread = c.spread;
+            q.of_exact = fit->own_edge ? std::nullopt : std::optional(c.of_exact);
+            q.note = k == 0 ? fmt::format("({} nodes, u{} from {:.3g} to {:.3g}, {} terms)",
+                                          fit->nodes, fit->own_edge ? " from the data's edge," : "",
+                                          fit->from, fit->to, fit->terms)
+                            : "";
+        }
+    }
+    return list;
+}
+
 std::vector<Convergence> convergence_of(const std::vector<FileComparison>& files,
                                         const ExactContact& exact) {
     std::vector<Convergence> list;
-    /// `exact_value`: 0 for a quantity that is an error itself.
-    const auto add = [&](const char* name, double exact_value, const auto& of) {
+    /// `error_of`: that of a file, and the exact value; nothing if the file has none.
+    const auto add = [&](const char* name, const auto& error_of) {
         std::vector<MeshValue> errors;
         for (const FileComparison& file : files) {
-            const std::optional<double> value = of(file);
-            if (!value || !(file.contact.mean_element > 0)) {
+            const std::optional<std::pair<double, double>> of_file = error_of(file);
+            if (!of_file || !(file.contact.mean_element > 0)) {
                 return;
             }
             constexpr double roundoff = 1e-8; // of printed digits: such an error has no order
-            const double error = *value - exact_value;
+            const auto& [error, size] = *of_file;
             errors.push_back({file.contact.mean_element,
-                              std::abs(error) < roundoff * std::abs(exact_value) ? 0 : error});
+                              std::abs(error) < roundoff * std::abs(size) ? 0 : error});
         }
         if (errors.size() >= 2) {
             list.push_back({name, order_of(std::move(errors))});
         }
     };
-    add("a", exact.a().value, [](const auto& f) { return f.contact.a; });
-    add("b", exact.b().value, [](const auto& f) { return f.contact.b; });
-    add("P", exact.force().value, [](const auto& f) { return f.contact.force; });
-    for (const contact::Edge edge : both_edges) {
-        add(edge == contact::Edge::right ? "c0" : "c0_left", exact.c(edge, 0).value,
-            [edge](const auto& f) {
-                const auto& fit = f.fits[index_of(edge)];
-                return fit ? std::optional(fit->c0.value) : std::nullopt;
-            });
+    using Names = std::pair<const char*, const char*>;
+    for (const auto& [name, quantity] :
+         {Names{"a", "a"}, Names{"b", "b"}, Names{"P", "P"}, Names{"c0", "c_0"},
+          Names{"c0_left", "c_0 left"}, Names{"p_max", "largest p"}}) {
+        add(name, [&, quantity = quantity](const FileComparison& file) {
+            const auto all = compared_quantities(file, exact);
+            const auto q = std::ranges::find(all, quantity, &ComparedQuantity::name);
+            return q == all.end() || !q->data
+                       ? std::nullopt
+                       : std::optional(std::pair(*q->data - q->exact, q->exact));
+        });
     }
-    if (!exact.scale().mean) {
-        add("p_max", exact.scale().value, [](const auto& f) { return f.contact.largest; });
+    for (const auto& [name, error] :
+         {std::pair{"peak", &Errors::peak}, {"local", &Errors::local}, {"l2", &Errors::l2}}) {
+        add(name, [error = error](const FileComparison& file) {
+            return std::optional(std::pair(file.errors.*error, 0.0));
+        });
     }
-    add("peak", 0, [](const auto& f) { return f.errors.peak; });
-    add("local", 0, [](const auto& f) { return f.errors.local; });
-    add("l2", 0, [](const auto& f) { return f.errors.l2; });
     return list;
 }
 

@@ -101,6 +101,19 @@ struct FileComparison {
     [[nodiscard]] std::vector<std::string> findings() const;
 };
 
+/// A quantity of the contact: that of the data, and the exact one.
+struct ComparedQuantity {
+    std::string name; ///< "a", "b", "P", "largest p", "Q", "c_0", "c_1", "c_0 left", "c_1 left"
+    std::optional<contact::Edge> edge = {}; ///< where it is measured, if at one edge
+    std::optional<double> data = {};
+    std::optional<double> of_exact = {}; ///< the result of the same rule for the exact pressure
+    double exact = 0;
+    double spread = 0; ///< of the data's value, if a fit gives one
+    std::string note = {};
+};
+[[nodiscard]] std::vector<ComparedQuantity> compared_quantities(const FileComparison& file,
+                                                                const ExactContact& exact);
+
 /// The order with which a quantity ("a", "P", "c0", "peak", ...) of finer meshes converges.
 struct Convergence {
     std::string quantity;

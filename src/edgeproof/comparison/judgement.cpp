@@ -31,17 +31,14 @@ public:
         coverage();
         pressure();
         shear();
-        for (const contact::Edge at : both_edges) {
-            if (tolerances_.edges && file_.data.has(at)) {
-                edge(at);
-            }
-        }
-        if (tolerances_.force) {
-            force();
-        }
-        for (const contact::Edge at : both_edges) {
-            if (tolerances_.c0 && file_.data.has(at)) {
-                coefficient(at);
+        for (const ComparedQuantity& q : compared_quantities(file_, exact_)) {
+            const bool c0 = q.name.starts_with("c_0");
+            const auto tolerance = c0                               ? tolerances_.c0
+                                   : q.name == "P"                  ? tolerances_.force
+                                   : q.name == "a" || q.name == "b" ? tolerances_.edges
+                                                                    : std::nullopt;
+            if (tolerance && (!q.edge || file_.data.has(*q.edge))) {
+                hold(q, *tolerance);
             }
         }
     }
@@ -143,55 +140,38 @@ private:
     static double off(double data, double of_exact, double exact) {
         return std::abs((data - of_exact) / exact);
     }
-    void hold_value(const std::string& data_text, double data, double of_exact, double exact,
-                    double tolerance) {
-        const double error = off(data, of_exact, exact);
-        if (!(error <= tolerance)) {
-            fail(fmt::format("{} is off by {} of the exact {:.6g}, more than {} (of the exact "
-                             "pressure at these nodes: {:.6g})",
-                             data_text, percent(error), exact, percent(tolerance), of_exact));
-        }
-    }
-    void edge(contact::Edge at) {
-        const char* const name = at == contact::Edge::right ? "a" : "b";
-        const auto& data = file_.contact.at(at);
-        const double exact = exact_.edge(at);
-        if (!data) {
-            fail(fmt::format("{} is not known: no pressure of the data is greater than 0", name));
-            return;
-        }
-        hold_value(fmt::format("{} = {:.6g} by the data", name, *data), *data,
-                   file_.of_exact.at(at).value_or(exact), exact, *tolerances_.edges);
-    }
-    void force() {
-        const auto missing = [this](contact::Edge at) {
+    /// Compares an edge, P or c_0 with its tolerance.
+    void hold(const ComparedQuantity& q, double tolerance) {
+        const bool c0 = q.name.starts_with("c_0");
+        const std::string name = c0 ? "c_0 at the " + scene::edge_name(*q.edge) + " edge" : q.name;
+        const auto ends_inside = [this](contact::Edge at) {
             return file_.data.has(at) && !file_.contact.reaches[index_of(at)];
         };
-        if (std::ranges::any_of(both_edges, missing)) {
+        if (q.name == "P" && std::ranges::any_of(both_edges, ends_inside)) {
             fail("P is not known: the data end inside the contact");
             return;
         }
-        const double P = *file_.contact.force;
-        hold_value(fmt::format("P = {:.6g} by the data", P), P, *file_.of_exact.force,
-                   exact_.force().value, *tolerances_.force);
-    }
-    void coefficient(contact::Edge edge) {
-        const auto& fit = file_.fits[index_of(edge)];
-        const double exact = exact_.c(edge, 0).value;
-        const std::string name = "c_0 at the " + scene::edge_name(edge) + " edge";
-        if (!fit) {
-            fail(name + " is not known: too few nodes within the reach of the expansion");
+        if (!q.data) {
+            fail(name + " is not known: " +
+                 (c0 ? "too few nodes within the reach of the expansion"
+                     : "no pressure of the data is greater than 0"));
             return;
         }
-        const double of_exact = fit->own_edge ? exact : fit->c0.of_exact;
-        if (!fit->own_edge && !(off(of_exact, exact, exact) <= most_of_rule)) {
+        const double of_exact = q.of_exact.value_or(q.exact);
+        if (c0 && !(off(of_exact, q.exact, q.exact) <= most_of_rule)) {
             fail(fmt::format("{} is not determined: the same fit of the exact pressure at these "
                              "nodes gives {:.6g}, but the exact value is {:.6g}",
-                             name, of_exact, exact));
+                             name, of_exact, q.exact));
         }
-        hold_value(
-            fmt::format("{} by the data, {:.6g} +- {:.2g},", name, fit->c0.value, fit->c0.spread),
-            fit->c0.value, of_exact, exact, *tolerances_.c0);
+        const double error = off(*q.data, of_exact, q.exact);
+        if (!(error <= tolerance)) {
+            const std::string data =
+                c0 ? fmt::format("{} by the data, {:.6g} +- {:.2g},", name, *q.data, q.spread)
+                   : fmt::format("{} = {:.6g} by the data", name, *q.data);
+            fail(fmt::format("{} is off by {} of the exact {:.6g}, more than {} (of the exact "
+                             "pressure at these nodes: {:.6g})",
+                             data, percent(error), q.exact, percent(tolerance), of_exact));
+        }
     }
 
     FileComparison& file_;

@@ -11,6 +11,9 @@ namespace {
 
 /// A row follows a cause that nine of ten follow to `held` if it does so to three times that.
 constexpr double of_held = 3;
+/// As most_scatter, for a remainder that is not known to be noise.
+constexpr double most_remainder = 0.03;
+constexpr double dominant_gain = 25;
 constexpr double deviations_of_median = 4;
 constexpr double deviations_of_change = 3; ///< the least change of an answer by a cause
 constexpr std::size_t rows_for_scatter = 6;
@@ -34,6 +37,11 @@ std::vector<double> absolute(std::vector<double> list) {
         x = std::abs(x);
     }
     return list;
+}
+
+/// The factor by which the standard deviation of this number of rows may exceed their scatter.
+double uncertainty_of_scatter(std::size_t rows) {
+    return 1 + rows_for_less_error / static_cast<double>(rows);
 }
 
 double root(std::size_t n) { return std::sqrt(static_cast<double>(std::max<std::size_t>(n, 1))); }
@@ -75,6 +83,18 @@ bool has_common_factor(const std::vector<double>& off, double noise, double allo
     return std::abs(middle) > std::max({same_value, deviations_of_median * error, allowed});
 }
 
+/// Causes whose misfit exceeds the least, of this number of rows, by no more than this are not
+/// distinguished: 4.5 standard deviations of one parameter. A smooth remainder has few independent
+/// values.
+double indistinguishable_misfit(const Fit& best, std::size_t rows) {
+    constexpr double of_noise = 20;
+    constexpr double independent_values = 5;
+    const double of_one = of_noise / static_cast<double>(rows);
+    const auto size = static_cast<double>(best.off.size());
+    return best.noise_like.value_or(true) ? of_one
+                                          : of_one * std::max(1.0, size / independent_values);
+}
+
 } // namespace
 
 double sorted_at(std::vector<double> list, double share) {
@@ -87,10 +107,6 @@ double sorted_at(std::vector<double> list, double share) {
 bool enough(std::size_t rows, std::size_t failing) {
     return rows >= least_rows &&
            static_cast<double>(rows) >= least_share * static_cast<double>(failing);
-}
-
-double uncertainty_of_scatter(std::size_t rows) {
-    return 1 + rows_for_less_error / static_cast<double>(rows);
 }
 
 double error_of_median(std::vector<double> about) {
@@ -173,15 +189,6 @@ double misfit(const Fit& fit, double scatter) {
         sum += deviations * deviations;
     }
     return sum / static_cast<double>(fit.off.size());
-}
-
-double indistinguishable_misfit(const Fit& best, std::size_t rows) {
-    constexpr double of_noise = 20;
-    constexpr double independent_values = 5;
-    const double of_one = of_noise / static_cast<double>(rows);
-    const auto size = static_cast<double>(best.off.size());
-    return best.noise_like.value_or(true) ? of_one
-                                          : of_one * std::max(1.0, size / independent_values);
 }
 
 double unit_of(const std::vector<Candidate>& candidates, double noise) {

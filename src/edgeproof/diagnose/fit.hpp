@@ -45,9 +45,6 @@ inline constexpr double least_share = 0.9;
 inline constexpr double same_value = 1e-6;
 /// Nine rows of ten must agree to this with a cause: larger scatter would hide it.
 inline constexpr double most_scatter = 0.12;
-/// The same for a remainder that is not known to be noise.
-inline constexpr double most_remainder = 0.03;
-inline constexpr double dominant_gain = 25;
 /// The least factor by which a cause must reduce the error.
 inline constexpr double least_gain = 4;
 
@@ -57,8 +54,6 @@ inline constexpr double least_gain = 4;
 /// True if this number of rows suffices to explain the failing ones.
 [[nodiscard]] bool enough(std::size_t rows, std::size_t failing);
 
-/// The factor by which the standard deviation of this number of rows may exceed their scatter.
-[[nodiscard]] double uncertainty_of_scatter(std::size_t rows);
 /// The relative standard error of the median of some numbers, from their |errors|.
 [[nodiscard]] double error_of_median(std::vector<double> about);
 
@@ -79,10 +74,6 @@ inline constexpr double least_gain = 4;
 
 /// The mean square of what remains, relative to `scatter`; outliers are limited.
 [[nodiscard]] double misfit(const Fit& fit, double scatter);
-/// Causes whose misfit exceeds the least, of this number of rows, by no more than this are not
-/// distinguished: 4.5 standard deviations of one parameter. A smooth remainder has few independent
-/// values.
-[[nodiscard]] double indistinguishable_misfit(const Fit& best, std::size_t rows);
 
 /// A cause that may explain wrong numbers.
 struct Candidate {

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <sstream>
 #include <utility>
 
 // Each contact has two loads. Every cause reported, of any quantity, must have the name of the
@@ -22,10 +21,6 @@ constexpr double above_noise = 5;
 constexpr std::size_t least_changed = 8; // answers
 constexpr double no_change = 1e-10;
 
-struct TestedProfile {
-    std::string name;
-    SceneKeys keys;
-};
 /// A line: the name, and the keys of the scene.
 const char* const contacts_and_keys = R"(
 a wedge: profile.kind=power-law profile.m=0 profile.C=0.1 load.a=1.3 UNLIKE
@@ -43,23 +38,9 @@ a sphere, delta given: profile.geometry=axisymmetric profile.kind=hertz profile.
 a cylinder, full stick: profile.kind=cylinder-on-flat profile.R=30 load.P=300 shear.Q=40 shear.bulk_tension=60 LIKE
 )";
 
-std::vector<TestedProfile> tested_profiles() {
-    std::vector<TestedProfile> all;
-    std::istringstream text(contacts_and_keys);
-    for (std::string line; std::getline(text, line);) {
-        const std::size_t colon = line.find(": ");
-        if (colon == std::string::npos) {
-            continue;
-        }
-        SceneKeys keys = test::keys_of(line.substr(colon + 2));
-        if (keys.erase("LIKE") == 1) {
-            keys.merge(test::keys_of("load.E1=200e3 load.nu1=0.3 load.E2=200e3 load.nu2=0.3"));
-        } else if (keys.erase("UNLIKE") == 1) {
-            keys.merge(test::keys_of("load.E1=115e3 load.nu1=0.32 load.E2=70e3 load.nu2=0.25"));
-        }
-        all.push_back({line.substr(0, colon), std::move(keys)});
-    }
-    return all;
+std::vector<test::TestedContact> tested_contacts() {
+    return test::contacts_in(contacts_and_keys,
+                             "load.E1=115e3 load.nu1=0.32 load.E2=70e3 load.nu2=0.25");
 }
 
 Answer written(double value) {
@@ -77,7 +58,7 @@ std::size_t changed(const Asked& asked, const std::vector<double>& values, doubl
     return count;
 }
 
-test::MistakeTrial trial_of(const WrongProgram& mistake, const TestedProfile& tested,
+test::MistakeTrial trial_of(const WrongProgram& mistake, const test::TestedContact& tested,
                             std::size_t level, const std::vector<Convention>& found,
                             std::size_t changed) {
     test::MistakeTrial trial{mistake.name, tested.name, level, {}};
@@ -91,7 +72,7 @@ test::MistakeTrial trial_of(const WrongProgram& mistake, const TestedProfile& te
     return trial;
 }
 
-std::vector<test::MistakeTrial> trials_of(const TestedProfile& tested, std::uint64_t seed,
+std::vector<test::MistakeTrial> trials_of(const test::TestedContact& tested, std::uint64_t seed,
                                           const ReferenceOptions& options) {
     const PrecisionScope scope(60);
     const Asked asked = asked_about(tested.keys, options);
@@ -143,7 +124,7 @@ test::MistakeCounts count_named(std::uint64_t seed, const std::vector<std::strin
     ReferenceOptions options;
     options.digits = {30, Rounding::nearest, false};
     options.threads = 1; // each contact has a thread
-    const std::vector<TestedProfile> profiles = tested_profiles();
+    const std::vector<test::TestedContact> profiles = tested_contacts();
     std::vector<std::vector<test::MistakeTrial>> trials(profiles.size());
     parallel::parallel_for(profiles.size(), 0, [&](std::size_t i) {
         if (contacts.empty() || std::ranges::find(contacts, profiles[i].name) != contacts.end()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/measures/measures.hpp"
 
+#include "edgeproof/diagnose/fit.hpp"
 #include "edgeproof/io/number_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/roots/power_law_fit.hpp"
@@ -56,11 +57,7 @@ Errors errors_of(const AlignedResult& data, double scale,
         }
     }
     errors.l2 = exact_square > 0 ? std::sqrt(square / exact_square) : 0;
-    if (!local.empty()) {
-        const auto middle = local.begin() + static_cast<std::ptrdiff_t>(local.size() / 2);
-        std::ranges::nth_element(local, middle);
-        errors.median_local = *middle;
-    }
+    errors.median_local = local.empty() ? 0 : diagnose::sorted_at(std::move(local), 0.5);
     return errors;
 }
 

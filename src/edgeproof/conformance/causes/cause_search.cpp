@@ -2,6 +2,7 @@
 #include "edgeproof/conformance/causes/cause_search.hpp"
 
 #include "edgeproof/conformance/causes/readings.hpp"
+#include "edgeproof/conformance/causes/varying_factor.hpp"
 #include "edgeproof/diagnose/factors.hpp"
 
 #include <fmt/format.h>
@@ -34,16 +35,6 @@ constexpr double chance_of_few = 1e-3;
 /// Answers with fewer digits scatter by percents: a factor with a name and another cause may have
 /// the effect of a third one.
 constexpr double digits_of_percents = 1.5;
-constexpr double most_cause_digits = 40;
-constexpr std::size_t part_outside = 20; ///< one row of this number lies outside, on each side
-/// Relative standard deviations that an interval exceeds: noise of 12 answers has a range of more
-/// than 6 in one case of a thousand.
-constexpr double noise_in_interval = 6;
-
-/// The digits of a relative error.
-double cause_digits(double off) {
-    return off == 0 ? most_cause_digits : std::clamp(-std::log10(off), 0.0, most_cause_digits);
-}
 
 /// Four standard errors of the common factor of rows, relative, from what it leaves.
 double doubt_of(const Fit& fit) {
@@ -53,53 +44,6 @@ double doubt_of(const Fit& fit) {
         about.push_back(std::abs((off - middle) / (1 + middle)));
     }
     return 4 * diagnose::error_of_median(std::move(about));
-}
-
-/// Adds the named factors near answers of `least` to `most` times ours (diagnose::near_factors()).
-void add_near_factors(Convention& of, double least, double most) {
-    for (const auto& [factor, rest] : diagnose::near_factors(least, most)) {
-        if (std::ranges::find(of.equally_likely, factor.name) == of.equally_likely.end()) {
-            of.also.push_back(
-                most > least
-                    ? fmt::format("{}ours, and up to {:.2g} % that have another cause",
-                                  factor.words, 100 * rest)
-                    : fmt::format("{}ours, and {:+.2g} % that have another cause", factor.words,
-                                  100 * Real(least / factor.value - 1).convert_to<double>()));
-            of.equally_likely.emplace_back(factor.name);
-        }
-    }
-}
-
-/// The interval of the ratio of answers and ours, without a twentieth of the rows on each side.
-std::pair<double, double> interval_of(const WrongRows& all) {
-    std::vector<double> ratios = remainders(all, all.ours).off;
-    std::ranges::sort(ratios);
-    const std::size_t outside = ratios.size() / part_outside;
-    return {1 + ratios[outside], 1 + ratios[ratios.size() - 1 - outside]};
-}
-
-/// The interval, if it is not due to noise, and named factors are near it.
-std::optional<Convention> varying_factor(const Group& group, double noise) {
-    const WrongRows& all = group.rows;
-    const auto [least, most] = interval_of(all);
-    const double wide = noise_in_interval * noise * std::abs(most + least) / 2;
-    Convention c;
-    if (!remainder_of(remainders(all, all.ours)).noise_like.value_or(most - least < wide)) {
-        add_near_factors(c, least, most);
-    }
-    if (c.also.empty()) {
-        return {};
-    }
-    c.of = group.family;
-    c.relation = fmt::format("{:.3g} to {:.3g} times ours", least, most);
-    c.hint = "a factor that is no constant";
-    c.name = "varying-factor";
-    c.factor = (least + most) / 2;
-    c.failing = all.size();
-    c.rows = c.failing - 2 * (c.failing / part_outside);
-    c.held = cause_digits(most / least - 1);
-    c.without_digits = true;
-    return c;
 }
 
 class CauseSearch {
@@ -181,11 +125,11 @@ private:
                                  factor ? Candidate::other_factor : Candidate::mistake, r});
         }
         const auto other_edge = std::ranges::find(readings, "edges-swapped", &Reading::name);
+        other_edge_ = static_cast<std::size_t>(other_edge - readings.begin());
         for (const diagnose::NamedFactor& f : factors) {
             possible_.push_back({other_edge->name, f.words + "ours at the other edge",
                                  "left taken for right, and a factor", f.value,
-                                 Candidate::other_factor,
-                                 static_cast<std::size_t>(other_edge - readings.begin())});
+                                 Candidate::other_factor, other_edge_});
         }
     }
     /// Mistakes in the data of a contact and in the value are possible only for all failing rows of
@@ -194,6 +138,25 @@ private:
         return cause.source
                    ? group.whole || (readings_.list()[*cause.source].place && cause.factor == 1)
                    : diagnose::is_possible(cause.name, group.family);
+    }
+
+    /// The medians of the ratios of the answers to ours, and to ours at the other edge.
+    struct Medians {
+        double ours;
+        double other_edge;
+        /// False for a factor that is too far from the median to fit.
+        [[nodiscard]] bool near(const Candidate& cause) const {
+            const double k = cause.factor.convert_to<double>();
+            return (cause.source && k == 1) ||
+                   std::abs((cause.source ? other_edge : ours) / k - 1) <= diagnose::most_scatter;
+        }
+    };
+    [[nodiscard]] Medians medians_of(const WrongRows& rows) {
+        const auto median = [](const diagnose::Remainders& left) {
+            return 1 + diagnose::sorted_at(left.off, 0.5);
+        };
+        return {median(remainders(rows, rows.ours)),
+                median(remainders(rows, readings_.values(other_edge_, rows.questions)))};
     }
 
     [[nodiscard]] diagnose::Remainders left_by(const Candidate& cause, const WrongRows& rows) {
@@ -225,9 +188,11 @@ private:
         const WrongRows some =
             wrong_rows(answers_, agreements_, evenly(group.rows.questions, most_rows_tried));
         const auto constant = constant_of(group);
+        const Medians medians = medians_of(some);
         if (named) {
             for (const Candidate& cause : possible_) {
-                if (possible(cause, group) && fit(cause, some)) { // the others only if these fit
+                if (possible(cause, group) && medians.near(cause) &&
+                    fit(cause, some)) { // the others only if these fit
                     if (auto found = fit(cause, group.rows)) {
                         add(cause, std::move(*found), group);
                     }
@@ -241,7 +206,7 @@ private:
             group.likely.push_back(*constant);
         }
         if (!group.likely.empty()) {
-            add_undistinguished(some, group);
+            add_undistinguished(some, medians, group);
             keep_best(group.likely, noise_);
         }
         if (named && !group.likely.empty()) {
@@ -254,7 +219,7 @@ private:
     /// they change or however improbable the noise is with them: the answers do not distinguish
     /// them. If the answers have noise, it may hide what a mistake in the data of a contact does to
     /// other rows of the quantity.
-    void add_undistinguished(const WrongRows& some, Group& to) {
+    void add_undistinguished(const WrongRows& some, const Medians& medians, Group& to) {
         const double unit = unit_of(to.likely, noise_);
         const double most = most_misfit(to.likely, unit, some.size(),
                                         [&](const Candidate& c) { return remainder(c, some); });
@@ -263,13 +228,11 @@ private:
                 return c.is(cause) && c.source == cause.source;
             });
             const bool plain = !cause.source || cause.factor == 1;
-            if (known || !plain || !(possible(cause, to) || (cause.source && unit > same_value))) {
+            if (known || !plain || !medians.near(cause) ||
+                !(possible(cause, to) || (cause.source && unit > same_value))) {
                 continue;
             }
-            const Fit left = remainder(cause, some);
-            if (misfit(left, unit) <= most &&
-                (cause.source ||
-                 std::abs(diagnose::sorted_at(left.off, 0.5)) <= diagnose::most_scatter)) {
+            if (misfit(remainder(cause, some), unit) <= most) {
                 add(cause, remainder(cause, to.rows), to);
             }
         }
@@ -434,6 +397,7 @@ private:
     Readings readings_;
     std::vector<Group> groups_;
     std::vector<Candidate> possible_; ///< without fits
+    std::size_t other_edge_ = 0;      ///< the reading
     std::vector<Group> explained_;
     std::set<std::size_t> done_; ///< questions
     double noise_ = 0;           ///< the scatter of the answers, where known

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
 #include <utility>
 
 namespace edgeproof::conformance {
@@ -80,19 +81,19 @@ std::vector<Convention> infer_conventions(const Answers& answers, const Agreemen
 
 std::vector<std::string> unexplained(const Answers& answers, const Agreements& agreements,
                                      const std::vector<Convention>& conventions) {
-    std::string explained;
+    std::set<std::string> known; // "p; c_1, left edge": p and c_1
     for (const Convention& c : conventions) {
-        explained += "; " + c.of;
+        std::istringstream all(c.of);
+        for (std::string part; std::getline(all >> std::ws, part, ';');) {
+            known.insert(part.substr(0, part.find(',')));
+        }
     }
     std::map<std::string, std::pair<std::size_t, bool>> families; // rows, explained
     for (const std::size_t i : rows_that_fail(answers, agreements, conventions)) {
         const Question& q = answers.questions.list[i];
-        auto& [rows, known] = families[family_of(q)];
+        auto& [rows, explained] = families[family_of(q)];
         ++rows;
-        for (const std::string& name : {family_of(q), symbol_of(q)}) {
-            known = known || (explained + ";").find("; " + name + ";") != std::string::npos ||
-                    explained.find("; " + name + ",") != std::string::npos;
-        }
+        explained = explained || known.contains(family_of(q)) || known.contains(symbol_of(q));
     }
     std::vector<std::string> names;
     for (const auto& [family, rows] : families) {

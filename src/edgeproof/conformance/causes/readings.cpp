@@ -124,24 +124,18 @@ const Reading::Mistakes& Readings::mistakes_in(std::size_t contact) {
 }
 
 void Readings::find(const std::vector<std::size_t>& contacts) {
-    const auto other_edge = [](Question& q, const scene::Scene& scene) {
-        q.edge = opposite(q.edge);
-        return q.at_edge() && (!scene.symmetric() || scene.shear);
-    };
     list_ = {
         {"sign", "ours with Q and the bulk tension in the other direction",
          "Q is positive towards +x on the body that it acts on", reverse_shear},
-        {"x-for-u",
-         "ours with u taken for x",
-         "u runs inwards from the edge: x = a - u, or u - b",
-         {},
-         take_u_for_x},
-        {"edges-swapped",
-         "ours at the other edge",
-         "left taken for right? u runs inwards from the edge: u = a - x at the right one, u = b + "
-         "x at the left one; swap the edges",
-         {},
-         other_edge}};
+        {"x-for-u", "ours with u taken for x", "u runs inwards from the edge: x = a - u, or u - b"},
+        {"edges-swapped", "ours at the other edge",
+         "left taken for right? u runs inwards from the edge: u = a - x at the right one, u = b "
+         "+ x at the left one; swap the edges"}};
+    list_[1].place = take_u_for_x;
+    list_[2].place = [](Question& q, const scene::Scene& scene) {
+        q.edge = opposite(q.edge);
+        return q.at_edge() && (!scene.symmetric() || scene.shear);
+    };
     const bool gives_C = std::ranges::any_of(contacts, [&](std::size_t contact) {
         return !parameter_text(answers_.questions.contacts[contact], "C").empty();
     });
@@ -154,17 +148,14 @@ void Readings::find(const std::vector<std::size_t>& contacts) {
     for (const auto& [name, words, n] : {std::tuple{"one-term", "the first term", 1U},
                                          {"two-term", "the first two terms", 2U},
                                          {"three-term", "the first three terms", 3U}}) {
-        const auto of_place = [n = n](Question& q, const scene::Scene&) {
+        list_.push_back({name, std::string(words) + " of ours at the edge",
+                         "the pressure is asked for, not an approximation of it"});
+        list_.back().place = [n = n](Question& q, const scene::Scene&) {
             const bool pressure = q.quantity == scene::Quantity::p;
             q.quantity = scene::Quantity::local;
             q.k = n;
             return pressure;
         };
-        list_.push_back({name,
-                         std::string(words) + " of ours at the edge",
-                         "the pressure is asked for, not an approximation of it",
-                         {},
-                         of_place});
     }
     std::set<std::pair<std::string, std::optional<bool>>> known;
     for (const std::size_t contact : contacts) {
@@ -179,12 +170,8 @@ void Readings::find(const std::vector<std::size_t>& contacts) {
             }
         }
     }
-    list_.push_back({"log10",
-                     "the decimal logarithm of ours",
-                     "the value itself is asked for",
-                     {},
-                     {},
-                     &decimal_logarithm});
+    list_.push_back({"log10", "the decimal logarithm of ours", "the value itself is asked for"});
+    list_.back().value = &decimal_logarithm;
 }
 
 Values Readings::values(std::size_t reading, const std::vector<std::size_t>& questions) {

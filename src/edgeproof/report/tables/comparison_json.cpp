@@ -51,9 +51,9 @@ ordered_json causes_json(const std::optional<comparison::Diagnosis>& diagnosis) 
 
 ordered_json file_json(const ComparisonReport& report, const comparison::FileComparison& file) {
     const comparison::ExactContact& exact = *report.exact;
-    std::map<std::string, HeldQuantity> held;
-    for (HeldQuantity& q : held_quantities(report, file)) {
-        held.emplace(q.name, std::move(q));
+    std::map<std::string, comparison::ComparedQuantity> compared;
+    for (comparison::ComparedQuantity& q : compared_quantities(file, exact)) {
+        compared.emplace(q.name, std::move(q));
     }
     ordered_json j;
     j["file"] = printable(file.table.file);
@@ -67,7 +67,7 @@ ordered_json file_json(const ComparisonReport& report, const comparison::FileCom
     j["half"] = file.data.half ? ordered_json(scene::edge_name(*file.data.half)) : ordered_json();
     j["findings"] = list_json(file.findings(), printable);
     for (const char* name : {"a", "b", "P"}) {
-        const HeldQuantity& q = held.at(name);
+        const comparison::ComparedQuantity& q = compared.at(name);
         j[name] = {{"data", number_json(q.data)},
                    {"of_exact_pressure", number_json(q.of_exact)},
                    {"exact", q.exact}};
@@ -78,7 +78,7 @@ ordered_json file_json(const ComparisonReport& report, const comparison::FileCom
     using Names = std::initializer_list<std::pair<const char*, const char*>>;
     for (const auto& [key, name] :
          Names{{"c0", "c_0"}, {"c0_left", "c_0 left"}, {"c1", "c_1"}, {"c1_left", "c_1 left"}}) {
-        const HeldQuantity& q = held.at(name);
+        const comparison::ComparedQuantity& q = compared.at(name);
         j[key] = {{"data", number_json(q.data)},
                   {"spread", number_json(q.data ? std::optional(q.spread) : std::nullopt)},
                   {"of_exact_pressure", number_json(q.of_exact)},

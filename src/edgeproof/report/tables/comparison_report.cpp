@@ -82,10 +82,6 @@ std::vector<std::string> lines_of(const std::optional<comparison::Diagnosis>& di
     return lines;
 }
 
-std::string with_unit(const std::optional<scene::Unit>& unit, const std::string& more) {
-    return unit ? unit->name + more : std::string();
-}
-
 std::vector<std::string> diagnosis_lines(const FileComparison& file) {
     std::vector<std::string> lines = lines_of(file.diagnosis, "p");
     if (const auto& zone = file.suggested_zone) {
@@ -99,11 +95,30 @@ std::vector<std::string> diagnosis_lines(const FileComparison& file) {
     return lines;
 }
 
+/// In brackets; empty if the scene has no units.
+std::string unit_of(const comparison::ComparedQuantity& q, const ComparisonReport& report) {
+    const scene::Units units = report.units.value_or(scene::Units{});
+    const std::string length = units.length ? units.length->name : "";
+    const std::string pressure = units.pressure ? units.pressure->name : "";
+    std::string unit = q.name == "a" || q.name == "b" ? length : pressure;
+    if (q.name == "P" || q.name == "Q") {
+        const bool whole = report.exact->axisymmetric();
+        unit = units.force && (whole || units.length)
+                   ? units.force->name + (whole ? "" : "/" + length)
+                   : "";
+    } else if (q.name.starts_with("c_")) {
+        unit = units.length && units.pressure
+                   ? pressure + "/" + length + (q.name[2] == '0' ? "^(1/2)" : "^(3/2)")
+                   : "";
+    }
+    return unit.empty() ? "" : " [" + unit + "]";
+}
+
 Table quantities_table(const ComparisonReport& report, const FileComparison& file) {
     Table table = table_of({"", "data", "+-", "exact p", "exact", "off by", ""});
-    for (const HeldQuantity& q : held_quantities(report, file)) {
+    for (const auto& q : compared_quantities(file, *report.exact)) {
         table.rows.push_back(
-            {q.name + (q.unit.empty() ? "" : " [" + q.unit + "]"), number_text(q.data, 7),
+            {q.name + unit_of(q, report), number_text(q.data, 7),
              q.spread > 0 ? fmt::format("{:.2g}", q.spread) : "",
              q.of_exact ? number_text(q.of_exact, 7) : "", number_text(q.exact, 10),
              q.data && q.exact != 0 ? fmt::format("{:+.3g} %", 100 * (*q.data / q.exact - 1)) : "",
@@ -183,60 +198,6 @@ std::string file_text(const ComparisonReport& report, const FileComparison& file
 }
 
 } // namespace
-
-std::vector<HeldQuantity> held_quantities(const ComparisonReport& report,
-                                          const FileComparison& file) {
-    const comparison::ExactContact& exact = *report.exact;
-    const scene::Units units = report.units.value_or(scene::Units{});
-    const std::string length = with_unit(units.length, "");
-    const std::string pressure = with_unit(units.pressure, "");
-    const std::string force = exact.axisymmetric() ? with_unit(units.force, "")
-                              : units.force && units.length
-                                  ? units.force->name + "/" + units.length->name
-                                  : "";
-    const auto coefficient = [&](const char* power) {
-        return units.length && units.pressure ? pressure + "/" + length + "^" + std::string(power)
-                                              : std::string();
-    };
-    std::vector<HeldQuantity> list;
-    const auto add = [&](HeldQuantity q) { list.push_back(std::move(q)); };
-    add({"a", length, file.contact.a, 0, file.of_exact.a, exact.a().value, ""});
-    add({"b", length, file.contact.b, 0, file.of_exact.b, exact.b().value, ""});
-    add({"P", force, file.contact.force, 0, file.of_exact.force, exact.force().value, ""});
-    if (!exact.scale().mean) {
-        add({"largest p", pressure, file.contact.largest, 0, file.of_exact.largest,
-             exact.scale().value, ""});
-    }
-    if (file.Q) {
-        add({"Q", force, file.Q, 0, file.Q_of_exact, exact.shear()->force, ""});
-    }
-    for (const contact::Edge edge : comparison::both_edges) {
-        const auto& fit = file.fits[index_of(edge)];
-        const char* const where = edge == contact::Edge::right ? "" : " left";
-        for (const std::size_t k : {0U, 1U}) {
-            HeldQuantity q;
-            q.name = "c_" + std::to_string(k) + where;
-            q.unit = coefficient(k == 0 ? "(1/2)" : "(3/2)");
-            q.exact = exact.c(edge, k).value;
-            if (fit) {
-                q.data = (k == 0 ? fit->c0 : fit->c1).value;
-                q.spread = (k == 0 ? fit->c0 : fit->c1).spread;
-                if (!fit->own_edge) {
-                    q.of_exact = (k == 0 ? fit->c0 : fit->c1).of_exact;
-                }
-                q.note =
-                    k == 0 ? fmt::format("({} nodes, u{} from {:.3g} to {:.3g}, {} terms)",
-                                         fit->nodes, fit->own_edge ? " from the data's edge," : "",
-                                         fit->from, fit->to, fit->terms)
-                           : "";
-            } else {
-                q.note = "(too few nodes)";
-            }
-            add(std::move(q));
-        }
-    }
-    return list;
-}
 
 std::string tolerance_text(const comparison::Tolerances& t) {
     std::string out = fmt::format("p within {} {}", percent_text(t.pressure),

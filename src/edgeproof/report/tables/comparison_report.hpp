@@ -17,19 +17,6 @@ struct ComparisonReport {
     comparison::Comparison comparison;
 };
 
-/// A row that compares data and exact contact for one quantity.
-struct HeldQuantity {
-    std::string name; ///< "a", "P", "c_0 left", ...
-    std::string unit;
-    std::optional<double> data;
-    double spread = 0;              ///< of the data's value, if a fit gives one
-    std::optional<double> of_exact; ///< the result of the same rule for the exact pressure
-    double exact = 0;
-    std::string note;
-};
-[[nodiscard]] std::vector<HeldQuantity> held_quantities(const ComparisonReport& report,
-                                                        const comparison::FileComparison& file);
-
 /// Returns the tolerances as text: "p within 3 % of the peak, ...".
 [[nodiscard]] std::string tolerance_text(const comparison::Tolerances& t);
 

@@ -349,4 +349,41 @@ SlopeMonotonicity monotonicity_of_slope(const Profile& profile, const Ball& a, c
     return {Sign::rises, {}};
 }
 
+bool curvature_falls(const Profile& profile, const Ball& a) {
+    constexpr int most_parts = 256;
+    const auto& knots = profile.knots();
+    const Ball edge = upper_end(a.with_bits(Interval::bits));
+    std::optional<Ball> least; // g'' at the end of the piece before
+    for (std::size_t i = profile.origin(); i < knots.size(); ++i) {
+        const Ball from = enclosed_constant(knots[i], Interval::bits);
+        const Ball to = i + 1 < knots.size()
+                            ? min(enclosed_constant(knots[i + 1], Interval::bits), edge)
+                            : edge;
+        if (!certainly_less(from, edge)) {
+            break;
+        }
+        const Expr& slope = profile.pieces()[i + 1].slope;
+        const auto bend = [&](const Ball& x) {
+            return slope_series(slope, x, 2, Interval::bits)[1];
+        };
+        if (profile.has_corner(i) || (least && !certainly_less(bend(from), *least))) {
+            return false;
+        }
+        least = bend(to);
+        for (int parts = 1, k = 0; k < parts; ++k) {
+            const Ball x =
+                Ball::hull(from + (to - from) * k / parts, from + (to - from) * (k + 1) / parts);
+            const Ball third = slope_series(slope, x, 3, Interval::bits)[2];
+            if (arb_is_nonpositive(third.data()) == 0) {
+                if (parts == most_parts) {
+                    return false;
+                }
+                parts *= 2; // the parts before k are proved
+                k = 2 * k - 1;
+            }
+        }
+    }
+    return true;
+}
+
 } // namespace edgeproof::contact

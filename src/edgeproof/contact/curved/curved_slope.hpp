@@ -72,4 +72,7 @@ struct SlopeMonotonicity {
 [[nodiscard]] SlopeMonotonicity monotonicity_of_slope(const Profile& profile, const Ball& a,
                                                       const Ball& b);
 
+/// True if g'' of a symmetric profile is proved not to increase from the origin to the edge.
+[[nodiscard]] bool curvature_falls(const Profile& profile, const Ball& a);
+
 } // namespace edgeproof::contact

@@ -38,7 +38,9 @@ public:
         try {
             BallLevel level(asked_, Binary64Stress::field_bits);
             mean_pressure_ = Ball(level.force() / level.length()).midpoint().convert_to<double>();
-            const BallContact* const closed = level.contact().closed_form();
+            // of a body of revolution the closed form is that of a plane contact
+            const BallContact* const closed =
+                asked_.round ? nullptr : level.contact().closed_form();
             const auto field =
                 closed != nullptr && closed->piecewise_linear() && has_binary64_balls()
                     ? level.stress_field(body)

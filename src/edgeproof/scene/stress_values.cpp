@@ -258,6 +258,10 @@ GreatestValue greatest_on_axis(const Scene& asked, Quantity quantity, Body body)
                "of an axisymmetric contact only the greatest tau_max on the axis is computed",
                "write --greatest tau_max");
     }
+    if (asked.curved_body()) {
+        refuse(asked, "the greatest stress is not computed for curved slopes of revolution",
+               "ask for stresses at points");
+    }
     SceneValues values(asked, {AskedValue{quantity}}, asked.ask.digits);
     const long most = 8 * values.plan().bits;
     const std::string route = "branch and bound";

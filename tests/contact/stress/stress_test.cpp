@@ -148,7 +148,7 @@ TEST_CASE("the Cauchy integral of a curved slope has its digits next to an edge"
         const Box rate = (square * Ball(3, stress_bits) + 1 - zeta * root * Ball(2, stress_bits) -
                           factor * zeta / root) *
                          half_pi;
-        const CauchyIntegral here = contact.cauchy_integral(zeta);
+        const CauchyIntegral here = contact.cauchy_integral(zeta, {});
         CHECK(abs(here.value - value).upper() < Real("1e-40"));
         CHECK(abs(here.derivative - rate).upper() < Real("1e-25") * abs(rate).lower());
     }

@@ -41,6 +41,8 @@ public:
     [[nodiscard]] Ball moment() const override { return {0, bits_}; }
     /// The approach delta of the bodies (length).
     [[nodiscard]] Ball approach() const { return approach_at(a_); }
+    /// h'(s), the rate of the approach with the radius s (length).
+    [[nodiscard]] Ball approach_rate_at(const Ball& s) const;
     /// dP/da (force/length).
     [[nodiscard]] Ball force_rate() const { return modulus_ * a_ * approach_rate_at(a_) * 2; }
     /// Returns the coefficients of dP/da (force/length) at the radius a - d in powers of d.
@@ -127,10 +129,9 @@ private:
     [[nodiscard]] Box rate_over_radius_at(const Box& s) const;
     /// h'(s) without the jump of the ring `except`.
     [[nodiscard]] Box approach_rate(const Radius& at, std::optional<std::size_t> except) const;
-    /// The force, the approach h and its rate h' for the radius s (length).
+    /// The force and the approach h for the radius s (length).
     [[nodiscard]] Ball force_at(const Ball& s) const;
     [[nodiscard]] Ball approach_at(const Ball& s) const;
-    [[nodiscard]] Ball approach_rate_at(const Ball& s) const;
     /// True if g' does not change at a ring nor in the piece after it.
     [[nodiscard]] bool begins_flat(const Ring& ring) const;
     [[nodiscard]] Place place_of(Edge edge, const Ball& u) const;

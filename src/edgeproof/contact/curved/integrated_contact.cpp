@@ -73,7 +73,8 @@ Box IntegratedContact::over_spans(const Ball& a, const Ball& b,
 }
 
 // docs/stress.md, "Curved slopes"
-CauchyIntegral IntegratedContact::cauchy_integral(const Box& zeta) const {
+CauchyIntegral IntegratedContact::cauchy_integral(const Box& zeta,
+                                                  const std::optional<Exact>& known_x) const {
     const Ball pi = Ball::pi(bits_);
     const Ball factor = modulus_ / 2;
     const Ball mean = zone_ ? slope_integral(a_, b_, 0) / pi : Ball(0, bits_);
@@ -81,7 +82,8 @@ CauchyIntegral IntegratedContact::cauchy_integral(const Box& zeta) const {
     const bool surface = arb_is_zero(zeta.imaginary().data()) != 0;
     if (surface && !certainly_less(a_, x) && !certainly_less(x, -b_)) {
         const Box unknown(unknown_ball(bits_), unknown_ball(bits_));
-        const auto piece = piece_of(x);
+        const auto knot = knot_at(known_x);
+        const auto piece = knot ? knot : piece_of(x);
         const bool inside = certainly_less(x, a_) && certainly_less(-b_, x);
         const bool on_edge =
             arb_is_exact(x.data()) != 0 &&
@@ -90,7 +92,7 @@ CauchyIntegral IntegratedContact::cauchy_integral(const Box& zeta) const {
             return {unknown, unknown};
         }
         const Ball slope = series_of_slope(*piece, x, 1)[0] - mean;
-        const Ball p = on_edge ? Ball(0, bits_) : zone_pressure(Edge::right, a_ - x, {});
+        const Ball p = on_edge ? Ball(0, bits_) : zone_pressure(Edge::right, a_ - x, known_x);
         return {Box(slope * pi * factor, -pi * p), unknown};
     }
     const Box root = root_outside({a_, b_}, zeta);
@@ -229,25 +231,24 @@ Ball IntegratedContact::pressure(Edge edge, const Exact& u) const {
     }
     if (const auto a = known(edge)) {
         const Expr exactly = edge == Edge::right ? a->expr() - u.expr() : u.expr() - a->expr();
-        if (const auto p = pressure_at_knot(from_edge, Exact(exactly))) {
-            return *p;
+        if (const auto knot = knot_at(Exact(exactly))) {
+            return pressure_at_knot(from_edge, *knot);
         }
     }
     return unknown_ball(bits_);
 }
 
 Ball IntegratedContact::pressure(Edge edge, const Ball& u, const Exact& x) const {
-    const auto at_knot = pressure_at_knot(u, x);
-    return at_knot ? *at_knot : pressure(edge, u);
+    const auto knot = knot_at(x);
+    return knot ? pressure_at_knot(u, *knot) : pressure(edge, u);
 }
 
-std::optional<Ball> IntegratedContact::pressure_at_knot(const Ball& from_edge,
-                                                        const Exact& x) const {
-    for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
+std::optional<std::size_t> IntegratedContact::knot_at(const std::optional<Exact>& x) const {
+    for (std::size_t i = 0; x && i < slope_.knots.size(); ++i) {
         if (inside(i) && !profile_.has_corner(i) &&
-            overlaps(enclosed_constant(x, bits_), slope_.knots[i]) &&
-            certainly_zero(x.expr() - profile_.knots()[i].expr())) {
-            return pressure_at(from_edge, slope_.knots[i], i, i);
+            overlaps(enclosed_constant(*x, bits_), slope_.knots[i]) &&
+            certainly_zero(x->expr() - profile_.knots()[i].expr())) {
+            return i;
         }
     }
     return {};

@@ -69,8 +69,10 @@ public:
                                      const std::optional<Exact>& known_x) const;
     /// The Cauchy integral of the pressure of the contact, or of the zone (docs/stress.md, "Curved
     /// slopes"). Enclosed; not finite on the surface in the contact at knots and edges, except for
-    /// the value at an edge that is known exactly.
-    [[nodiscard]] CauchyIntegral cauchy_integral(const Box& zeta) const;
+    /// the value at an edge or a knot that is known exactly. `known_x`: see
+    /// ProvedContact::pressure.
+    [[nodiscard]] CauchyIntegral cauchy_integral(const Box& zeta,
+                                                 const std::optional<Exact>& known_x) const;
     /// An initial zone of a profile whose contact is enclosed elsewhere.
     IntegratedContact(const Profile& profile, const Exact& contact_modulus, const Ball& a,
                       const Ball& b, long bits);
@@ -119,8 +121,11 @@ private:
     void enclose_edges();
     /// Encloses b for the right edge `a`, near `start`; nothing if the bits do not suffice.
     [[nodiscard]] std::optional<Ball> left_edge_near(const Ball& a, const Ball& start) const;
-    /// Returns p if x is a knot inside the contact at which g' does not jump.
-    [[nodiscard]] std::optional<Ball> pressure_at_knot(const Ball& from_edge, const Exact& x) const;
+    /// Returns the knot inside the contact that lies at x, if g' does not jump there.
+    [[nodiscard]] std::optional<std::size_t> knot_at(const std::optional<Exact>& x) const;
+    [[nodiscard]] Ball pressure_at_knot(const Ball& from_edge, std::size_t knot) const {
+        return pressure_at(from_edge, slope_.knots[knot], knot, knot);
+    }
     /// Returns x at the distance `u` from an edge.
     [[nodiscard]] Ball place(Edge edge, const Ball& u) const;
     [[nodiscard]] bool inside(std::size_t knot) const override;

@@ -62,8 +62,8 @@ Ball IntegratedContact::zone_rate(Edge edge) const {
 
 Ball IntegratedContact::zone_pressure(Edge edge, const Ball& u,
                                       const std::optional<Exact>& known_x) const {
-    if (const auto at_knot = known_x ? pressure_at_knot(u, *known_x) : std::nullopt) {
-        return *at_knot;
+    if (const auto knot = knot_at(known_x)) {
+        return pressure_at_knot(u, *knot);
     }
     const Ball x = place(edge, u);
     const auto piece = piece_of(x);
@@ -202,11 +202,12 @@ std::unique_ptr<ZoneSolver> zone_solver(const ProvedContact& contact, const Prof
     return closed_form_zones(*closed, total_force);
 }
 
-CauchyIntegral pressure_integral(const ProvedContact& contact, const Box& zeta) {
+CauchyIntegral pressure_integral(const ProvedContact& contact, const Box& zeta,
+                                 const std::optional<Exact>& x) {
     const BallContact* const closed = contact.closed_form();
     return closed != nullptr
                ? cauchy_integral(*closed, zeta)
-               : dynamic_cast<const IntegratedContact&>(contact).cauchy_integral(zeta);
+               : dynamic_cast<const IntegratedContact&>(contact).cauchy_integral(zeta, x);
 }
 
 TractionParts::TractionParts(const BallSlip& slip, const ProvedContact& contact,
@@ -231,11 +232,12 @@ TractionParts::TractionParts(const BallSlip& slip, const ProvedContact& contact,
 
 // docs/stress.md, "The Cauchy integrals of q": in partial slip q = f (p - p*) in the direction of
 // Q; after a load history q is a sum of such parts (docs/histories.md).
-CauchyIntegral TractionParts::integral(const CauchyIntegral& p, const Box& zeta) const {
+CauchyIntegral TractionParts::integral(const CauchyIntegral& p, const Box& zeta,
+                                       const std::optional<Exact>& x) const {
     CauchyIntegral q = p * whole_ratio_;
     for (std::size_t i = 0; i < ratios_.size(); ++i) {
         q = q - (closed_forms_ ? contact::cauchy_integral(closed_[i], zeta)
-                               : integrated_[i].cauchy_integral(zeta)) *
+                               : integrated_[i].cauchy_integral(zeta, x)) *
                     -ratios_[i];
     }
     return q;

@@ -62,8 +62,10 @@ proved_contact(const Profile& profile, const Exact& contact_modulus, const Load&
 /// integration. It keeps a copy of `contact`.
 [[nodiscard]] std::unique_ptr<ZoneSolver> integrated_zones(const IntegratedContact& contact);
 
-/// The Cauchy integral of the pressure of a plane contact made by proved_contact(). Enclosed.
-[[nodiscard]] CauchyIntegral pressure_integral(const ProvedContact& contact, const Box& zeta);
+/// The Cauchy integral of the pressure of a plane contact made by proved_contact(). Enclosed. `x`:
+/// the real part of zeta, if it is known exactly.
+[[nodiscard]] CauchyIntegral pressure_integral(const ProvedContact& contact, const Box& zeta,
+                                               const std::optional<Exact>& x = {});
 
 /// The parts of the traction of partial slip, or after a load history, as contacts: by closed
 /// forms, or by rigorous integration for curved slopes and for power laws under a bulk tension.
@@ -83,7 +85,8 @@ public:
         return closed_forms_ ? &closed_ : nullptr;
     }
     /// The Cauchy integral of q. Enclosed. `p` is that of the pressure at the same place.
-    [[nodiscard]] CauchyIntegral integral(const CauchyIntegral& p, const Box& zeta) const;
+    [[nodiscard]] CauchyIntegral integral(const CauchyIntegral& p, const Box& zeta,
+                                          const std::optional<Exact>& x = {}) const;
 
 private:
     bool closed_forms_;

@@ -140,8 +140,7 @@ namespace {
 
 /// True for the quantities that are computed for curved slopes of revolution.
 bool of_curved_body(QuantityGroup group) {
-    return group != QuantityGroup::extent && group != QuantityGroup::peak &&
-           group != QuantityGroup::stress;
+    return group != QuantityGroup::extent && group != QuantityGroup::peak;
 }
 
 } // namespace

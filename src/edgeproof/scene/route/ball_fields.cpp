@@ -45,7 +45,7 @@ const std::vector<BallContact>* BallLevel::part_contacts() {
 
 // docs/stress.md, "The Cauchy integrals of q"
 contact::CauchyIntegral BallLevel::shear_integral(const contact::CauchyIntegral& p,
-                                                  const Box& zeta) {
+                                                  const std::optional<Exact>& x, const Box& zeta) {
     if (!scene_.shear) {
         return {Box(bits_), Box(bits_)};
     }
@@ -60,7 +60,7 @@ contact::CauchyIntegral BallLevel::shear_integral(const contact::CauchyIntegral&
         const Box unknown(not_known(), not_known());
         return {unknown, unknown};
     }
-    return parts->integral(p, zeta);
+    return parts->integral(p, zeta, x);
 }
 
 Ball BallLevel::bulk_stress(Body body) const {
@@ -122,8 +122,8 @@ const contact::StressState& BallLevel::stress(const AskedValue& at) {
         return last_stress_->second;
     }
     const Box zeta(ball_of(point.x, bits_), ball_of(point.z, bits_));
-    contact::CauchyIntegral p = contact::pressure_integral(*contact_, zeta);
-    contact::CauchyIntegral q = shear_integral(p, zeta);
+    contact::CauchyIntegral p = contact::pressure_integral(*contact_, zeta, point.x);
+    contact::CauchyIntegral q = shear_integral(p, point.x, zeta);
     const bool tension = scene_.shear && scene_.shear->bulk_tension.sign() != 0;
     if (point.x.sign() == 0 && scene_.symmetric() && !tension) {
         // P(-conj(zeta)) = -conj(P(zeta)), and the same for T: exact zeros on the axis of symmetry
@@ -423,8 +423,9 @@ Ball BallLevel::uz(const AskedValue& at) {
 
 Ball BallLevel::surface_slope(const AskedValue& at) {
     const Box zeta(at.place->x_enclosure(a(), b(), bits_), Ball(0, bits_));
-    const contact::CauchyIntegral p = contact::pressure_integral(*contact_, zeta);
-    const contact::CauchyIntegral q = shear_integral(p, zeta);
+    const std::optional<Exact>& x = at.place->x();
+    const contact::CauchyIntegral p = contact::pressure_integral(*contact_, zeta, x);
+    const contact::CauchyIntegral q = shear_integral(p, x, zeta);
     const Compliances body = compliances_of(scene_, at.in_body->body, bits_);
     const Ball side(at.in_body->body == Body::A ? 1 : -1, bits_);
     return -(body.along * p.value.real() * 2 + side * body.across * q.value.imaginary()) /
@@ -435,7 +436,7 @@ Ball BallLevel::surface_slope(const AskedValue& at) {
 Ball BallLevel::dissipation(const AskedValue& at) {
     const Ball slipped = abs(slip_displacement(at));
     const Box zeta(at.place->x_enclosure(a(), b(), bits_), Ball(0, bits_));
-    const contact::CauchyIntegral p = contact::pressure_integral(*contact_, zeta);
+    const contact::CauchyIntegral p = contact::pressure_integral(*contact_, zeta, at.place->x());
     return -(ball_of(*scene_.shear->friction, bits_) * p.value.imaginary() * slipped) * 4 /
            Ball::pi(bits_);
 }

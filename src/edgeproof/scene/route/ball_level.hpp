@@ -297,6 +297,7 @@ private:
     }
     /// The Cauchy integral of q on body A; `p` is that of p.
     [[nodiscard]] contact::CauchyIntegral shear_integral(const contact::CauchyIntegral& p,
+                                                         const std::optional<Exact>& x,
                                                          const Box& zeta);
     /// The parts of q; null if these bits do not isolate them, or if the contact slides.
     [[nodiscard]] const contact::TractionParts* traction_parts();

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/scene/stress_estimates.hpp"
+
+#include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/stress/binary64_stress.hpp"
+#include "edgeproof/contact/stress/revolution_estimate.hpp"
+#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/parallel/parallel_for.hpp"
+#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/scene/binary64_values.hpp"
+#include "edgeproof/scene/run_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace edgeproof::scene {
+namespace {
+
+constexpr long estimate_bits = contact::Binary64Stress::field_bits;
+using contact::approximate;
+
+constexpr std::size_t lines[] = {96, 192, 384}; ///< numbers of straight lines between two knots
+constexpr double most_difference = 2e-4;   ///< of the greatest value
+constexpr std::size_t places_checked = 6;
+constexpr std::size_t points_together = 512;
+
+struct Components {
+    double sxx;
+    double szz;
+    double sxz;
+    double across;
+    bool plane_strain;
+};
+using Estimate = std::function<Components(double x, double z)>;
+
+double value_of(const Components& s, Quantity quantity) {
+    const double in_plane = std::hypot((s.sxx - s.szz) / 2, s.sxz);
+    switch (quantity) {
+    case Quantity::sxx:
+        return s.sxx;
+    case Quantity::szz:
+        return s.szz;
+    case Quantity::sxz:
+        return s.sxz;
+    case Quantity::mises:
+        return std::hypot(std::sqrt(3.0) * in_plane, (s.sxx + s.szz) / 2 - s.across);
+    default: // tau_max, as StressState::tau_max()
+        return s.plane_strain
+                   ? in_plane
+                   : std::max(in_plane, (std::fabs((s.sxx + s.szz) / 2 - s.across) + in_plane) / 2);
+    }
+}
+
+/// Places between two knots, closer to each other near the first one, the more the greater `power`.
+std::vector<double> places_between(double from, double to, std::size_t count, double power = 2) {
+    std::vector<double> places;
+    for (std::size_t k = 1; k < count; ++k) {
+        const double t = static_cast<double>(k) / static_cast<double>(count);
+        places.push_back(from + (to - from) * std::pow(t, power));
+    }
+    return places;
+}
+
+/// One side of g', from the origin to the edge and beyond: places, and g' before and after each.
+struct Side {
+    std::vector<double> at;
+    std::vector<double> before;
+    std::vector<double> after;
+};
+
+Side side_of(const contact::Profile& profile, bool right, double edge, std::size_t count) {
+    const auto& knots = profile.knots();
+    const int sign = right ? 1 : -1;
+    Side side;
+    const auto slope = [&](std::size_t piece, double x) {
+        const Expr at =
+            substitute(profile.pieces()[piece].slope, "x", Expr::number(exact_rational(sign * x)));
+        return approximate(formula::enclosed_constant(at, estimate_bits)) * sign;
+    };
+    const auto add = [&](double x, double before, double after) {
+        const double least = side.after.empty() ? 0 : side.after.back();
+        side.at.push_back(x);
+        side.before.push_back(std::max(before, least));
+        side.after.push_back(std::max(after, side.before.back()));
+    };
+    for (std::size_t i = profile.origin(); i < knots.size(); i += right ? 1 : -1) {
+        const double from = std::fabs(knots[i].to<double>());
+        if (from >= edge) {
+            break;
+        }
+        const std::size_t piece = right ? i + 1 : i;
+        const double after = slope(piece, from);
+        const bool corner = profile.has_corner(i);
+        add(from,
+            i == profile.origin() ? 0
+            : corner              ? slope(right ? i : i + 1, from)
+                                  : after,
+            i == profile.origin() && !corner ? 0 : after);
+        const std::size_t next = right ? i + 1 : i - 1;
+        const double to =
+            next < knots.size() ? std::min(std::fabs(knots[next].to<double>()), edge) : edge;
+        for (const double x : places_between(from, to, count)) {
+            const double g = slope(piece, x);
+            add(x, g, g);
+        }
+    }
+    add(edge, side.after.back(), side.after.back());
+    const std::size_t last = side.at.size() - 1; // the last line goes on beyond the edge
+    side.before[last] = side.after[last - 1] + (side.before[last - 1] - side.after[last - 2]) /
+                                                   (side.at[last - 1] - side.at[last - 2]) *
+                                                   (side.at[last] - side.at[last - 1]);
+    side.after[last] = side.before[last];
+    return side;
+}
+
+/// The slope by straight lines.
+contact::Profile by_lines(const contact::Profile& profile, double a, double b, std::size_t count) {
+    const Side right = side_of(profile, true, a, count);
+    const Side left = side_of(profile, false, b, count);
+    struct Point {
+        Rational x;
+        Rational before; ///< g' to the left of it, to the right of it
+        Rational after;
+    };
+    std::vector<Point> points;
+    for (std::size_t k = left.at.size(); k-- > 1;) {
+        points.push_back({exact_rational(-left.at[k]), exact_rational(-left.after[k]),
+                          exact_rational(-left.before[k])});
+    }
+    points.push_back({Rational(0), exact_rational(-left.after[0]), exact_rational(right.after[0])});
+    for (std::size_t k = 1; k < right.at.size(); ++k) {
+        points.push_back({exact_rational(right.at[k]), exact_rational(right.before[k]),
+                          exact_rational(right.after[k])});
+    }
+    std::vector<Exact> knots;
+    std::vector<Expr> slopes;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+        const Point& lo = points[k];
+        const Point& hi = points[k + 1];
+        const Rational rate = (hi.before - lo.after) / (hi.x - lo.x);
+        slopes.push_back(Expr::number(lo.after - rate * lo.x) +
+                         Expr::number(rate) * Expr::symbol("x"));
+        if (k > 0) {
+            knots.push_back(Exact::of(lo.x));
+        }
+    }
+    return contact::Profile::piecewise(knots, slopes);
+}
+
+/// The estimate of a plane contact; nothing if its edges are not enclosed.
+std::optional<Estimate> plane_estimate(Scene scene, const BallLevel& level, Body body,
+                                       std::size_t count) {
+    scene.profile = by_lines(*scene.profile, approximate(level.a()), approximate(level.b()), count);
+    BallLevel by_line(scene, estimate_bits);
+    const auto field = by_line.stress_field(body);
+    if (!field) {
+        return {};
+    }
+    const auto poisson = scene.poisson(body);
+    const double nu = poisson ? poisson->to<double>() : 0;
+    return [stress = contact::Binary64Stress(*field, full_stick_load(scene, body, estimate_bits)),
+            nu](double x, double z) -> Components {
+        const contact::Binary64StressState s = stress.at(x, z);
+        return {s.sxx.middle, s.szz.middle, s.sxz.middle, nu * (s.sxx.middle + s.szz.middle), true};
+    };
+}
+
+std::optional<Estimate> revolution_estimate(const Scene& scene, const BallLevel& level, Body body,
+                                            std::size_t count) {
+    const double a = approximate(level.a());
+    const BallContact* const law = level.contact().closed_form(); // with the same pressure
+    const auto rate = [&](double s) {
+        if (law == nullptr) {
+            return approximate(dynamic_cast<const contact::AxisymmetricContact&>(level.contact())
+                                   .approach_rate_at(Ball(exact_rational(s), estimate_bits)));
+        }
+        const double exponent = law->power_law() ? approximate(law->power_law()->exponent)
+                                : law->slope().has_corner(0) ? 0
+                                                             : 1;
+        return approximate(law->force_rate() / law->modulus()) * std::pow(s / a, exponent);
+    };
+    const auto& knots = scene.profile->knots();
+    std::vector<contact::RevolutionEstimate::Node> nodes;
+    for (std::size_t i = scene.profile->origin(); i < knots.size(); ++i) {
+        const double from = knots[i].to<double>();
+        if (from >= a) {
+            break;
+        }
+        const double to = i + 1 < knots.size() ? std::min(knots[i + 1].to<double>(), a) : a;
+        // beyond a corner h' is like (s - from)^(-1/2)
+        const bool corner = scene.profile->has_corner(i) && from > 0;
+        const std::vector<double> places = places_between(from, to, count, corner ? 3 : 2);
+        if (corner) {
+            nodes.push_back({from, nodes.empty() ? 0 : rate(std::nextafter(from, 0.0))});
+        }
+        nodes.push_back(
+            {from, corner ? 3 * rate(places.front()) : rate(from)}); // the same integral
+        for (const double s : places) {
+            nodes.push_back({s, rate(s)});
+        }
+    }
+    nodes.push_back({a, rate(a)});
+    const contact::RevolutionEstimate stress(std::move(nodes),
+                                             approximate(level.contact().modulus()),
+                                             scene.poisson(body)->to<double>());
+    return [stress](double x, double z) -> Components {
+        const auto s = stress.at(x, z);
+        return {s.sxx, s.szz, s.sxz, s.across, false};
+    };
+}
+
+/// The proved values at some of the points.
+std::vector<double> proved_at(const Scene& scene, Quantity quantity, Body body,
+                              std::span<const double> x, std::span<const double> z) {
+    std::vector<std::vector<double>> all(6, std::vector<double>(x.size()));
+    const bool mises = scene.poisson(body).has_value();
+    compute_binary64(
+        scene, body, x, z,
+        {all[0], all[1], all[2], all[3], mises ? std::span(all[4]) : std::span<double>(), all[5]});
+    const Quantity order[] = {Quantity::sxx, Quantity::szz, Quantity::sxz, Quantity::tau_max,
+                              Quantity::mises};
+    return all[static_cast<std::size_t>(std::ranges::find(order, quantity) - order)];
+}
+
+} // namespace
+
+PictureStresses picture_stresses(const Scene& scene, Quantity quantity, Body body,
+                                 std::span<const double> x, std::span<const double> z) {
+    Scene asked = asking(scene, {AskedValue{Quantity::sxx}}, {20, Rounding::nearest, true});
+    asked.ask.in_bodies.clear();
+    (void)make_plan(asked); // refuses stresses that are not computed
+    const bool proved = !scene.profile || (!scene.round && scene.profile->piecewise_linear());
+    for (const std::size_t count : lines) {
+        if (proved) {
+            break;
+        }
+        BallLevel level(asked, estimate_bits);
+        const auto estimate = scene.round ? revolution_estimate(scene, level, body, count)
+                                          : plane_estimate(asked, level, body, count);
+        if (!estimate) {
+            break;
+        }
+        PictureStresses found{std::vector<double>(x.size()), true};
+        const std::size_t pieces = (x.size() + points_together - 1) / points_together;
+        parallel::parallel_for(pieces, 0, [&](std::size_t piece) {
+            check_interruption();
+            const std::size_t end = std::min(x.size(), (piece + 1) * points_together);
+            for (std::size_t i = piece * points_together; i < end; ++i) {
+                found.values[i] = value_of((*estimate)(x[i], z[i]), quantity);
+            }
+        });
+        const auto greatest = std::ranges::max_element(
+            found.values, [](double s, double t) { return std::fabs(s) < std::fabs(t); });
+        std::vector<std::size_t> checked{static_cast<std::size_t>(greatest - found.values.begin())};
+        for (std::size_t k = 1; k < places_checked; ++k) {
+            checked.push_back((checked.back() + x.size() * 5 / 13 + 7) % x.size());
+        }
+        std::vector<double> across;
+        std::vector<double> depths;
+        for (const std::size_t i : checked) {
+            across.push_back(x[i]);
+            depths.push_back(z[i]);
+        }
+        const std::vector<double> exact = proved_at(scene, quantity, body, across, depths);
+        bool agrees = true;
+        for (std::size_t k = 0; k < checked.size(); ++k) {
+            const double off = std::fabs(found.values[checked[k]] - exact[k]);
+            agrees = agrees && off <= most_difference * std::fabs(exact.front());
+            found.values[checked[k]] = exact[k];
+        }
+        if (agrees) {
+            return found;
+        }
+    }
+    return {proved_at(scene, quantity, body, x, z), false};
+}
+
+} // namespace edgeproof::scene

@@ -198,9 +198,17 @@ def test_stresses_of_both_bodies_and_their_places(sticking):
         by_force.stress(u="0.1")
     curved = edgeproof.Scene(edgeproof.piecewise([], ["sinh(x)"], symmetric=True), a=1,
                              contact_modulus=1)
-    for refused in (lambda: curved.stress(0), lambda: curved.displacement(0)):
-        with pytest.raises(edgeproof.InputError):
-            refused()
+    assert float(curved.stress(0).szz) == -float(curved.pressure(x=0))
+    with pytest.raises(edgeproof.InputError):
+        curved.displacement(0)
+
+
+def test_arrays_of_a_sphere_are_not_those_of_the_plane_contact_with_the_same_pressure():
+    # On the axis szz = -p_0/(1 + z^2/a^2) (johnson1985, eq. 3.45b), p_0 = 2/pi.
+    ball = edgeproof.Scene(edgeproof.sphere(R=1), a=1, contact_modulus=1, nu="0.3")
+    found = ball.stresses(np.zeros(3), np.array([0.25, 0.5, 2.0]))
+    exact = -2 / np.pi / (1 + np.array([0.25, 0.5, 2.0])**2)
+    assert np.abs(found["szz"] - exact).max() < 1e-15
 
 
 def test_displacements(hertz, slipping):

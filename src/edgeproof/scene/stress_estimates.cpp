@@ -26,7 +26,7 @@ constexpr long estimate_bits = contact::Binary64Stress::field_bits;
 using contact::approximate;
 
 constexpr std::size_t lines[] = {96, 192, 384}; ///< numbers of straight lines between two knots
-constexpr double most_difference = 2e-4;   ///< of the greatest value
+constexpr double most_difference = 2e-4;        ///< of the greatest value
 constexpr std::size_t places_checked = 6;
 constexpr std::size_t points_together = 512;
 

@@ -45,7 +45,7 @@ RevolutionEstimate::State RevolutionEstimate::at(double x, double z) const {
         const Complex64 constant(lo.rate - q * lo.s, q * z);
         for (std::size_t n = 0; n < of.size(); ++n) {
             const Complex64 over = constant * (here[n][0] - before[n][0]) +
-                                 Complex64(0, -q) * (here[n][1] - before[n][1]);
+                                   Complex64(0, -q) * (here[n][1] - before[n][1]);
             of[n] -= over.real(); // Im(-i x) = -Re(x)
         }
         before = here;

@@ -67,7 +67,7 @@ Plot stress_picture(const scene::Scene& scene, scene::Quantity quantity, scene::
     field.title = name + unit_label(units.pressure);
     Plot plot{};
     plot.id = "stress";
-    plot.title = name + " in body " + body_name;
+    plot.title = name + " in body " + body_name + (found.estimates ? " (estimates)" : "");
     plot.description =
         "Colours and contours of " + name + " in body " + body_name +
         " below the contact, which lies at z = 0. Every finite value is on the scale "

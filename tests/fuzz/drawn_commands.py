@@ -297,7 +297,7 @@ def drawn_command(rng, library):
         words.insert(rng.randrange(len(words) + 1), rng.choice(HOSTILE + WORDS))
         command.printed = "any"
     if draw < 0.03:  # the words may have another meaning, and still be right
-        command.kept += tuple(command.written)
+        command.kept += tuple(name.split("/")[0] for name in command.written)
         command.written = {}
     command.arguments = [w.replace("\0", "") for w in words]
     return command

@@ -251,13 +251,14 @@ GreatestValue greatest_inside(const Scene& scene, Fields& fields, Quantity quant
     return result;
 }
 
-/// The greatest tau_max on the axis of an axisymmetric contact.
+/// The greatest tau_max, or mises = 2 tau_max, on the axis of an axisymmetric contact.
 GreatestValue greatest_on_axis(const Scene& asked, Quantity quantity, Body body) {
-    if (quantity != Quantity::tau_max) {
+    if (quantity == Quantity::sxx) {
         refuse(asked,
-               "of an axisymmetric contact only the greatest tau_max on the axis is computed",
-               "write --greatest tau_max");
+               "of an axisymmetric contact only the greatest stresses on the axis are computed",
+               "write --greatest tau_max or mises");
     }
+    const Ball factor(quantity == Quantity::mises ? 2 : 1, 64);
     if (asked.curved_body()) {
         refuse(asked, "the greatest stress is not computed for curved slopes of revolution",
                "ask for stresses at points");
@@ -271,7 +272,7 @@ GreatestValue greatest_on_axis(const Scene& asked, Quantity quantity, Body body)
             const auto found = level.axisymmetric_stress(body).greatest_on_axis();
             if (has_digits(found.value, asked.ask.digits) &&
                 has_digits(found.z, asked.ask.digits)) {
-                greatest = {proved(found.value, route),
+                greatest = {proved(found.value * factor, route),
                             zero(route),
                             proved(found.z, route),
                             {"at all other places of the axis x = 0 the value is less",

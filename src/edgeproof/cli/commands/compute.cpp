@@ -145,9 +145,10 @@ void add_set(CLI::App& app, int& code, const Set& set) {
         sub.add_option("--point", o.points,
                        "X,Z: place and depth (default: points of [ask]); repeatable")
             ->allow_extra_args(false);
-        sub.add_option("--greatest", o.greatest,
-                       "mises, tau_max (for z >= 0) or sxx (at z = 0): one row, the greatest value "
-                       "and its place, proved; of an axisymmetric contact tau_max on the axis");
+        sub.add_option(
+            "--greatest", o.greatest,
+            "mises, tau_max (for z >= 0) or sxx (at z = 0): one row, the greatest value "
+            "and its place, proved; of an axisymmetric contact tau_max or mises, on the axis");
     } else if (name == "displacement") {
         sub.add_option("--reference", o.reference,
                        "the place x whose displacement is 0: adds ux, uz, slope and dissipation of "

@@ -108,23 +108,40 @@ struct ComparedTerms {
     std::string problem;
 };
 
-ComparedTerms compare_terms(const ExpansionComparison& comparison, const ClaimSamples& samples,
-                            unsigned digits, Evidence& evidence) {
+ComparedTerms compare_terms(const ExpansionComparison& comparison,
+                            const std::vector<Sample>& samples, unsigned digits,
+                            Evidence& evidence) {
+    const double needed = AuditContext::digits_needed(digits);
     ComparedTerms found;
     for (const auto& term : comparison.terms) {
-        if (term.equal) {
-            continue;
-        }
-        Outcome one;
-        const SampledComparison with{samples, term.derived, std::nullopt, digits};
-        found.decisions.push_back(Agreement(term.printed, with).decide(one));
-        if (refutes(found.decisions.back())) {
-            evidence.add("enclosures", *one.evidence.find("enclosures"));
-            found.wrong = &term;
-            return found;
-        }
-        if (is_open(found.decisions.back()) && found.problem.empty()) {
-            found.problem = one.note;
+        for (const Sample& sample : samples) {
+            if (term.equal) {
+                continue;
+            }
+            SampleInBalls in_balls(sample, digits);
+            Decision one;
+            static_cast<void>(in_balls.until([&](const EnclosedSample& at) {
+                const Ball x = at.evaluate(term.printed);
+                const Ball y = at.evaluate(term.derived);
+                const auto apart = Refutation::disjoint(x, y);
+                if (apart) {
+                    const std::string place = full_text(sample);
+                    evidence.add("enclosures", pair_evidence(place, "printed_coefficient", x,
+                                                             "derived_coefficient", y, digits));
+                }
+                const Ball scale =
+                    scale_of_terms(term.printed, at) + scale_of_terms(term.derived, at);
+                one = decision(apart, Confirmation::agreement(x, y, scale, needed));
+                return !is_open(one);
+            }));
+            found.decisions.push_back(one);
+            if (refutes(one)) {
+                found.wrong = &term;
+                return found;
+            }
+            if (is_open(one) && found.problem.empty()) {
+                found.problem = in_balls.problem();
+            }
         }
     }
     return found;
@@ -219,8 +236,7 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
     const ExpansionComparison comparison = compare_expansions(printed, exact, in, under);
     outcome.evidence.add("terms", terms_evidence(comparison, variable));
 
-    const ClaimSamples in_balls(claim, context);
-    const std::vector<Sample>& samples = in_balls.all();
+    const std::vector<Sample> samples = ClaimSamples(claim, context).all();
     if (samples.empty()) {
         outcome.note = "no sample fulfils the condition";
         return outcome;
@@ -254,7 +270,7 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
         return outcome;
     }
     const ComparedTerms compared =
-        compare_terms(comparison, in_balls, context.digits(), outcome.evidence);
+        compare_terms(comparison, samples, context.digits(), outcome.evidence);
     outcome.verdict = Judgement::of_all(compared.decisions);
     if (compared.wrong == nullptr) {
         outcome.note = outcome.verdict == Verdict::confirmed

@@ -56,6 +56,8 @@ public:
         return x;
     }
     friend BoxSeries operator*(BoxSeries x, const Ball& c) { return std::move(x) * Box(c); }
+    struct Hyperbolic;
+    [[nodiscard]] Hyperbolic hyperbolic() const;
     friend BoxSeries operator/(BoxSeries x, const BoxSeries& y) {
         acb_poly_div_series(x.poly_, x.poly_, y.poly_, x.order_, x.bits_);
         return x;
@@ -86,6 +88,17 @@ private:
     slong order_;
     long bits_;
 };
+
+struct BoxSeries::Hyperbolic {
+    BoxSeries sine;
+    BoxSeries cosine;
+};
+
+BoxSeries::Hyperbolic BoxSeries::hyperbolic() const {
+    Hyperbolic of{*this, *this};
+    acb_poly_sinh_cosh_series(of.sine.poly_, of.cosine.poly_, poly_, order_, bits_);
+    return of;
+}
 
 /// The coefficients of a series, integrated over 0 < t < 1 together.
 class SeriesIntegrand : public quadrature::ThetaIntegrand {
@@ -153,27 +166,51 @@ BallSeries integrals_of(const std::function<BoxSeries(const Box& t)>& f, std::si
     return BallSeries(quadrature::integrate_cells(integrand, span, none, none, wanted, goal.bits));
 }
 
+bool is_narrow(const BallSeries& d2) {
+    return certainly_positive(d2[0]) && d2[0].relative_accuracy_bits() >= narrow_integral_bits;
+}
+
+/// asinh(z).
+BallSeries inverse_sinh(const BallSeries& z) {
+    const Ball one(1, z[0].bits());
+    const BallSeries z2 = z * z;
+    return log1p(z + z2 / (sqrt(z2 + one) + one));
+}
+
 } // namespace
 
-// docs/axisymmetric.md, "What is integrated"
+// docs/axisymmetric.md, "What is integrated". With w = d sinh(T t), or y, the integrand has no
+// branch point near d; a wide d would enter twice.
 BallSeries outside_bend(const RingBend& bend, const BallSeries& r2, const BallSeries& d2,
                         const BallSeries& W, const IntegralGoal& goal) {
     const BoxSeries of_r2(r2, goal.bits);
+    const BoxSeries v = of_r2.constant(Box(bend.v.with_bits(goal.bits)));
+    const auto rate = [&](const BoxSeries& y) {
+        const BoxSeries angle = principal_arctangent(y / v);
+        const BoxSeries bent = (y + y - angle * bend.v) * bend.rate;
+        return contains_zero(bend.jump) ? bent : bent + (angle + v / y) * bend.jump;
+    };
+    if (is_narrow(d2)) {
+        const BallSeries d = sqrt(d2);
+        const BallSeries T = inverse_sinh(W / d);
+        const BoxSeries of_d(d, goal.bits);
+        const BoxSeries of_T(T, goal.bits);
+        const auto f = [&](const Box& t) {
+            const auto [sine, cosine] = (of_T * t).hyperbolic();
+            const BoxSeries w = of_d * sine;
+            const BoxSeries y = of_d * cosine;
+            return rate(y) * y / principal_root(of_r2 + w * w);
+        };
+        return integrals_of(f, r2.order(), goal) * (T / W);
+    }
     const BoxSeries of_d2(d2, goal.bits);
     const BoxSeries of_W(W, goal.bits);
-    const BoxSeries v = of_r2.constant(Box(bend.v.with_bits(goal.bits)));
     const bool on_the_bend = r2.order() == 1 && d2[0].is_exact() && contains_zero(d2[0]);
     return integrals_of(
         [&](const Box& t) {
             const BoxSeries w = of_W * t;
             const BoxSeries w2 = w * w;
-            const BoxSeries y = on_the_bend ? w : principal_root(of_d2 + w2);
-            const BoxSeries angle = principal_arctangent(y / v);
-            BoxSeries rate = (y + y - angle * bend.v) * bend.rate;
-            if (!contains_zero(bend.jump)) {
-                rate = rate + (angle + v / y) * bend.jump;
-            }
-            return rate / principal_root(of_r2 + w2);
+            return rate(on_the_bend ? w : principal_root(of_d2 + w2)) / principal_root(of_r2 + w2);
         },
         r2.order(), goal);
 }
@@ -182,14 +219,28 @@ BallSeries inside_bend(const RingBend& bend, const BallSeries& d2, const Ball& Y
                        const IntegralGoal& goal) {
     const BoxSeries of_d2(d2, goal.bits);
     const BoxSeries v = of_d2.constant(Box(bend.v.with_bits(goal.bits)));
+    const auto part = [&](const BoxSeries& y, const BoxSeries& y2) {
+        const BoxSeries angle = principal_arctangent(y / v);
+        const BoxSeries rate =
+            (y + y - angle * bend.v) * y * bend.rate + (angle * y + v) * bend.jump;
+        return rate / principal_root(v * v + y2);
+    };
+    if (is_narrow(d2)) {
+        const BallSeries d = sqrt(d2);
+        const BallSeries T = inverse_sinh(BallSeries(Y, d2.order()) / d);
+        const BoxSeries of_d(d, goal.bits);
+        const BoxSeries of_T(T, goal.bits);
+        const auto f = [&](const Box& t) {
+            const BoxSeries y = of_d * (of_T * t).hyperbolic().sine;
+            return part(y, y * y);
+        };
+        return integrals_of(f, d2.order(), goal) * (T * (1 / Y));
+    }
     return integrals_of(
         [&](const Box& t) {
             const BoxSeries y = of_d2.constant(t * Y);
-            const BoxSeries angle = principal_arctangent(y / v);
             const BoxSeries y2 = y * y;
-            const BoxSeries rate =
-                (y + y - angle * bend.v) * y * bend.rate + (angle * y + v) * bend.jump;
-            return rate / (principal_root(v * v + y2) * principal_root(of_d2 + y2));
+            return part(y, y2) / principal_root(of_d2 + y2);
         },
         d2.order(), goal);
 }

@@ -235,12 +235,11 @@ PictureStresses picture_stresses(const Scene& scene, Quantity quantity, Body bod
     Scene asked = asking(scene, {AskedValue{Quantity::sxx}}, {20, Rounding::nearest, true});
     asked.ask.in_bodies.clear();
     (void)make_plan(asked); // refuses stresses that are not computed
-    const bool proved = !scene.profile || (!scene.round && scene.profile->piecewise_linear());
+    if (!scene.profile || (!scene.round && scene.profile->piecewise_linear())) {
+        return {proved_at(scene, quantity, body, x, z), false};
+    }
+    BallLevel level(asked, estimate_bits);
     for (const std::size_t count : lines) {
-        if (proved) {
-            break;
-        }
-        BallLevel level(asked, estimate_bits);
         const auto estimate = scene.round ? revolution_estimate(scene, level, body, count)
                                           : plane_estimate(asked, level, body, count);
         if (!estimate) {

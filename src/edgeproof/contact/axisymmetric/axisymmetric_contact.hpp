@@ -70,8 +70,6 @@ public:
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
     [[nodiscard]] std::size_t cost() const override { return linear_ ? 10 : 100; }
 
-    /// The pressure (stress) at the radius r >= 0 (length). Not finite at a corner.
-    [[nodiscard]] Ball pressure_at(const Exact& r) const;
     /// The integral of h'(s) sqrt(s^2 - r^2) over r < s < a (length^2), for r > 0.
     [[nodiscard]] Ball outer_moment(const Exact& r) const;
     /// The gap (length) between the bodies at the distance `beyond` >= 0 (length) outside the edge.
@@ -135,7 +133,6 @@ private:
     /// True if g' does not change at a ring nor in the piece after it.
     [[nodiscard]] bool begins_flat(const Ring& ring) const;
     [[nodiscard]] Place place_of(Edge edge, const Ball& u) const;
-    [[nodiscard]] Place place_at(const Exact& r) const;
     /// The place, on a ring if its x is known to be that of the ring.
     [[nodiscard]] Place on_ring(Place at, const Exact& x) const;
     [[nodiscard]] Ball pressure(const Place& at, bool least) const;

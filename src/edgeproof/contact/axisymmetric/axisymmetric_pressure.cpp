@@ -31,11 +31,6 @@ AxisymmetricContact::Place AxisymmetricContact::place_of(Edge /*edge*/, const Ba
     return {u, a_ * 2 - u, abs(a_ - u), {}};
 }
 
-AxisymmetricContact::Place AxisymmetricContact::place_at(const Exact& r) const {
-    const Ball x = enclosed_constant(r, bits_);
-    return on_ring({a_ - x, a_ + x, x, {}}, r);
-}
-
 AxisymmetricContact::Place AxisymmetricContact::on_ring(Place at, const Exact& x) const {
     for (std::size_t i = 0; i < rings_.size(); ++i) {
         const Expr v = profile_.knots()[rings_[i].knot].expr();
@@ -58,10 +53,9 @@ Ball AxisymmetricContact::pressure(Edge edge, const Ball& u, const Exact& x) con
     return pressure(on_ring(place_of(edge, u), x), false);
 }
 
-Ball AxisymmetricContact::pressure_at(const Exact& r) const { return pressure(place_at(r), false); }
-
 Ball AxisymmetricContact::outer_moment(const Exact& r) const {
-    return over_widths(place_at(r), true);
+    const Ball x = enclosed_constant(r, bits_);
+    return over_widths(on_ring({a_ - x, a_ + x, x, {}}, r), true);
 }
 
 Ball AxisymmetricContact::pressure(Edge edge, const Ball& u) const {

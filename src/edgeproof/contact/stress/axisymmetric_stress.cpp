@@ -62,7 +62,7 @@ Ball AxisymmetricStress::on_axis_below(const Ball& S) const {
         return rate_ / exponent_ * pow(S / contact_.a(), exponent_);
     }
     const AxisymmetricContact part = of_revolution_->with_radius(S);
-    return part.pressure_at(Exact()) * Ball::pi(S.bits()) / contact_.modulus();
+    return part.pressure(Edge::right, S, Exact()) * Ball::pi(S.bits()) / contact_.modulus();
 }
 
 // docs/axisymmetric.md, "Stresses": with A = F_1 and B = z^2 F_2.
@@ -126,7 +126,7 @@ StressState AxisymmetricStress::on_surface(const Exact& r) const {
     if (!certainly_positive(beyond)) {
         const Ball& a = contact_.a();
         if (of_revolution_ != nullptr) {
-            p = of_revolution_->pressure_at(r);
+            p = of_revolution_->pressure(Edge::right, -beyond, r);
             inner -= contact_.modulus() / pi * of_revolution_->outer_moment(r);
         } else {
             // (m + 2) times the integral is h'(a) a W - r^2 pi p/E*

@@ -30,12 +30,13 @@ const std::vector<RayContact> ray_contacts{
     {"partial slip", "hertz R=2 a=1 E=3/2 Q=-0.1 friction=0.5"},
     {"partial slip, power law", "power-law m=5/2 C=1/3 a=1 E=3/2 Q=0.05 friction=0.6"},
     {"partial slip, tension", "tilted-flat-and-rounded alpha=0.1 t=0.4 R=2 a=1 E=3/2 Q=-0.1 "
-                              "friction=0.6 bulk_tension=0.03 bulk_A=0.2"}};
+                              "friction=0.6 bulk_tension=0.03 bulk_A=0.2"},
+    {"curved, partial slip", "piecewise symmetric slopes=x+x^3 a=1 E=3/2 Q=-0.1 friction=0.5"}};
 
 Scene ray_scene(const std::string& words) { return scenes::made(words + " edges=right digits=30"); }
 
-/// sxx, szz, sxz at the distance r from the right edge at 1, by the closed forms at points
-/// (contact/stress/cauchy_integral.hpp), which use no expansion.
+/// sxx, szz, sxz at the distance r from the right edge at 1, by the formulas at points
+/// (contact/enclosure/plane_contact.hpp), which use no expansion.
 std::array<Ball, 3> stresses_on_ray(Scene s, Body body, const std::string& angle,
                                     const std::string& r) {
     const std::string turn = "*" + angle + "*pi/180)";
@@ -119,8 +120,6 @@ TEST_CASE("terms of the stresses near an edge that vanish are exactly 0") {
 
 TEST_CASE("expansions of stresses that are not computed are refused") {
     CHECK_THROWS_WITH_AS(
-        (void)ray_terms(ray_scene("piecewise symmetric slopes=x^3 a=1"), Body::A,
-                        Exact::parse("45"), 3),
-        doctest::Contains("the stresses near an edge are expanded for plane power laws"),
-        InputError);
+        (void)ray_terms(ray_scene("sphere R=1 a=1 nu=0.3"), Body::A, Exact::parse("45"), 3),
+        doctest::Contains("the stresses near an edge are expanded for plane contacts"), InputError);
 }

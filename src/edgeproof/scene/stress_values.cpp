@@ -45,24 +45,11 @@ bool rises_outwards(const LoadHistory& history) {
            });
 }
 
-/// True if the zones of all parts of the traction have closed forms.
-bool has_closed_form(const Scene& scene) {
-    const bool tilted = scene.slips() && scene.shear->bulk_tension.sign() != 0;
-    return !scene.profile ||
-           (tilted ? scene.profile->piecewise_linear() : scene.profile->has_closed_form());
-}
-
 /// Refuses stresses that are infinite, or that have no greatest value.
 void check(const Scene& scene, Quantity quantity) {
     if (quantity != Quantity::mises && quantity != Quantity::tau_max && quantity != Quantity::sxx) {
         refuse(scene, "this stress has no search for its greatest value",
                "ask for mises, tau_max (for z >= 0) or sxx (on the surface)");
-    }
-    if (!has_closed_form(scene)) {
-        refuse(scene,
-               "the greatest stress is computed for power laws without a bulk tension and for "
-               "piecewise linear g'",
-               "give such a profile, or ask for stresses at points");
     }
     const bool sheared =
         scene.history
@@ -163,8 +150,8 @@ bool is_on_axis(const StressField& field, const contact::GreatestPlace& place) {
     }
     return field.mirrored || (field.surface_mirrored && field.untilted && field.parts.size() > 1 &&
                               std::ranges::all_of(field.parts, [&](const contact::LoadPart& part) {
-                                  return certainly_less(abs(over), part.contact.a()) &&
-                                         certainly_less(abs(over), part.contact.b());
+                                  return certainly_less(abs(over), part.contact->a()) &&
+                                         certainly_less(abs(over), part.contact->b());
                               }));
 }
 
@@ -186,13 +173,11 @@ GreatestValue greatest_inside(const Scene& scene, Fields& fields, Quantity quant
     fields.raise(search_bits, [&](const StressField& field) {
         mirrored = field.mirrored;
         for (const contact::LoadPart& part : field.parts) {
-            for (const std::size_t i : part.contact.bends_inside()) {
-                if (part.contact.slope().has_corner(i)) {
-                    refuse(scene,
-                           "the profile has a corner inside the contact, where the stress has no "
-                           "finite limit",
-                           "give a profile without corners");
-                }
+            if (!part.contact->corners(Edge::right).empty()) {
+                refuse(scene,
+                       "the profile has a corner inside the contact, where the stress has no "
+                       "finite limit",
+                       "give a profile without corners");
             }
         }
         if (field.contact().edge_may_be_on_knot()) {
@@ -306,11 +291,9 @@ GreatestValue greatest_value(const Scene& scene, Quantity quantity, Body body) {
 
 std::vector<RayTerm> ray_terms(const Scene& scene, Body body, const Exact& angle,
                                std::size_t terms) {
-    if (scene.round || !has_closed_form(scene)) {
-        refuse(scene,
-               "the stresses near an edge are expanded for plane power laws without a bulk "
-               "tension and for piecewise linear g', by closed forms",
-               "give such a profile, or ask for stresses at points");
+    if (scene.round) {
+        refuse(scene, "the stresses near an edge are expanded for plane contacts",
+               "ask for stresses at points");
     }
     Fields fields(scene, Quantity::sxx, body);
     const long first = fields.plan().bits + static_cast<long>(terms); // a term loses about a bit

@@ -116,7 +116,7 @@ TEST_CASE("stresses agree with Johnson's integrals by quadrature") {
                 CAPTURE(z);
                 const Box zeta(stress_ball(x.c_str()) * e.a, stress_ball(z.c_str()) * e.a);
                 const StressState s =
-                    stress_of(cauchy_integral(c, zeta), cauchy_integral(e, load, zeta), zeta,
+                    stress_of(c.cauchy_integral(zeta), cauchy_integral(e, load, zeta), zeta,
                               Ball(0, stress_bits));
                 const JohnsonIntegrals i = stress_by_quadrature(c, p, q, zeta.real().midpoint(),
                                                                 zeta.imaginary().midpoint());

@@ -121,7 +121,7 @@ const EnclosedSample::PartialSlip& EnclosedSample::partial_slip() const {
         const contact::ProvedSlip& proved = slip_->proved;
         if (proved.slip().admissible()) {
             const Ball& tension = shear.bulk_tension;
-            slip_->parts.emplace(proved.slip(), proved.contact(), profile_, modulus,
+            slip_->parts.emplace(proved.slip(), plane(), profile_, modulus,
                                  !tension.is_exact() || !contains_zero(tension));
         }
     }
@@ -136,7 +136,7 @@ Ball EnclosedSample::stress(std::string_view name, const Ball& x, const Ball& z)
         throw DomainError("a stress at a depth that may be negative");
     }
     const Box zeta(x, z);
-    const contact::CauchyIntegral p = contact::pressure_integral(contact(), zeta);
+    const contact::CauchyIntegral p = plane().cauchy_integral(zeta);
     contact::CauchyIntegral q = p * Ball(0, z.bits());
     if (slips()) {
         q = partial_slip().parts->integral(p, zeta);
@@ -152,12 +152,8 @@ Ball EnclosedSample::slip(const Ball& x) const {
     if (!certainly_positive(contact().a() - x) || !certainly_positive(x + contact().b())) {
         throw DomainError("the slip at a place that may be outside the contact");
     }
-    if (slip.parts->closed() == nullptr) {
-        throw Error("'slip' has an enclosure only for piecewise linear slopes, and for power laws "
-                    "without sig0");
-    }
-    return slip.proved.slip().parts().front().ratio *
-           contact::gap_at(slip.parts->closed()->front(), x);
+    const auto& [zone, ratio] = slip.parts->parts.front();
+    return ratio * zone->gap_at(x);
 }
 
 namespace {
@@ -196,8 +192,7 @@ Ball EnclosedSample::gap(const Ball& x) const {
         (axisymmetric() || !certainly_positive(-x - contact().b()))) {
         throw DomainError("the gap at a place that may be inside the contact");
     }
-    return axisymmetric() ? axisymmetric_gap(closed_form("gap"), beyond)
-                          : contact::gap_at(closed_form("gap"), x);
+    return axisymmetric() ? axisymmetric_gap(closed_form("gap"), beyond) : plane().gap_at(x);
 }
 
 Ball EnclosedSample::call(const Expr& node, std::span<const Ball> args) const {

@@ -50,8 +50,10 @@ Box power(Box x, std::size_t n) {
 
 } // namespace
 
+Box slope_over(const Expr& slope, const Box& s) { return taylor_coefficient(slope, s, 0); }
+
 Box SlopeOnSpan::value(const Box& t, const Box& s) const {
-    return taylor_coefficient(formula, span.root != 0 ? t : s, 0);
+    return slope_over(formula, span.root != 0 ? t : s);
 }
 
 Box SlopeOnSpan::cosine(long n, const Box& t, const Box& s) const {
@@ -303,26 +305,21 @@ SlopeMonotonicity monotonicity_between(const Expr& slope, const Ball& origin, co
     return {undecided ? Sign::open : Sign::rises, undecided};
 }
 
-/// Decides on half of a piece: from a knot, which is 0 in the variable of the slope, to `end`,
-/// which lies on one side of it.
-SlopeMonotonicity monotonicity_from(const Expr& slope, const Exact& knot, bool right,
-                                    const Ball& end) {
-    const Ball origin = enclosed_constant(knot, Interval::bits);
-    const Ball distance = (end - origin).with_bits(Interval::bits);
-    const Ball zero(0, Interval::bits);
-    const Ball limit = right ? upper_end(distance) : lower_end(distance);
-    if (right ? !certainly_positive(limit) : !certainly_negative(limit)) {
-        return {Sign::rises, {}}; // the piece has no part in the contact
-    }
-    return monotonicity_between(slope_from_knot(slope, knot.expr()), origin, right ? zero : limit,
-                                right ? limit : zero);
-}
+/// Half of a curved piece in the contact: a slope in the distance from `origin`, where a knot is,
+/// between two exact distances, one of which is 0.
+struct HalfPiece {
+    Expr slope;
+    Ball origin;
+    Ball lo;
+    Ball hi;
+};
 
-} // namespace
-
-SlopeMonotonicity monotonicity_of_slope(const Profile& profile, const Ball& a, const Ball& b) {
+/// The halves of all pieces between the edges that are not linear.
+std::vector<HalfPiece> half_pieces(const Profile& profile, const Ball& a, const Ball& b) {
     const Ball left = lower_end((-b).with_bits(Interval::bits));
     const Ball right = upper_end(a.with_bits(Interval::bits));
+    const Ball zero(0, Interval::bits);
+    std::vector<HalfPiece> halves;
     const auto& knots = profile.knots();
     for (std::size_t i = 0; i <= knots.size(); ++i) {
         const SlopePiece& piece = profile.pieces()[i];
@@ -332,21 +329,56 @@ SlopeMonotonicity monotonicity_of_slope(const Profile& profile, const Ball& a, c
         const bool ends_left = !certainly_less(left, from);
         const bool ends_right = !certainly_less(to, right);
         if (piece.linear || certainly_less(to, left) || certainly_less(right, from)) {
-            continue; // the rate of a linear piece was decided exactly
+            continue;
         }
         const Ball half = middle((from + to) / 2).with_bits(Interval::bits);
-        SlopeMonotonicity found = ends_left ? monotonicity_from(piece.slope, knots[i], false, left)
-                                  : ends_right
-                                      ? monotonicity_from(piece.slope, knots[i - 1], true, right)
-                                      : monotonicity_from(piece.slope, knots[i - 1], true, half);
-        if (found.kind == Sign::rises && !ends_left && !ends_right) {
-            found = monotonicity_from(piece.slope, knots[i], false, half);
+        if (!ends_left) {
+            const Ball end =
+                upper_end(((ends_right ? right : half) - from).with_bits(Interval::bits));
+            if (certainly_positive(end)) { // else the piece has no part in the contact
+                halves.push_back(
+                    {slope_from_knot(piece.slope, knots[i - 1].expr()), from, zero, end});
+            }
         }
+        if (ends_left || !ends_right) {
+            const Ball end = lower_end(((ends_left ? left : half) - to).with_bits(Interval::bits));
+            if (certainly_negative(end)) {
+                halves.push_back({slope_from_knot(piece.slope, knots[i].expr()), to, end, zero});
+            }
+        }
+    }
+    return halves;
+}
+
+} // namespace
+
+SlopeMonotonicity monotonicity_of_slope(const Profile& profile, const Ball& a, const Ball& b) {
+    for (const HalfPiece& half : half_pieces(profile, a, b)) {
+        SlopeMonotonicity found = monotonicity_between(half.slope, half.origin, half.lo, half.hi);
         if (found.kind != Sign::rises) {
             return found;
         }
     }
     return {Sign::rises, {}};
+}
+
+Ball steepest_rise(const Profile& profile, const Ball& a, const Ball& b) {
+    constexpr long parts = 32;
+    Ball most(0, Interval::bits);
+    for (const SlopePiece& piece : profile.pieces()) {
+        if (piece.linear) {
+            most = max(most, enclosed_constant(Exact(piece.linear->rate), Interval::bits));
+        }
+    }
+    for (const auto& [slope, origin, lo, hi] : half_pieces(profile, a, b)) {
+        for (long k = 0; k < parts; ++k) {
+            // the ends are exact, so that a distance of 0 remains 0
+            const auto at = [&](long i) { return middle(lo + (hi - lo) * i / parts); };
+            const Interval x(k == 0 ? lo : at(k), k + 1 == parts ? hi : at(k + 1));
+            most = max(most, evaluate<Rate>(slope, RateEnvironment{x}).rate.upper());
+        }
+    }
+    return upper_end(most);
 }
 
 bool curvature_falls(const Profile& profile, const Ball& a) {

@@ -48,6 +48,9 @@ struct SlopeOnSpan {
 [[nodiscard]] std::vector<Ball> slope_series(const Expr& slope, const Ball& x, std::size_t terms,
                                              long bits);
 
+/// g' over a box of places: holomorphic where it is finite and the box is not real.
+[[nodiscard]] Box slope_over(const Expr& slope, const Box& s);
+
 /// The answer to the question whether g' increases from one edge to the other. The proofs of the
 /// edges and of p > 0 need this.
 struct SlopeMonotonicity {
@@ -71,6 +74,9 @@ struct SlopeMonotonicity {
 /// @param a,b distances of the edges from the origin (length)
 [[nodiscard]] SlopeMonotonicity monotonicity_of_slope(const Profile& profile, const Ball& a,
                                                       const Ball& b);
+
+/// An upper bound of g'' over [-b, a]; not finite if there is none.
+[[nodiscard]] Ball steepest_rise(const Profile& profile, const Ball& a, const Ball& b);
 
 /// True if g'' of a symmetric profile is proved not to increase from the origin to the edge.
 [[nodiscard]] bool curvature_falls(const Profile& profile, const Ball& a);

@@ -46,7 +46,7 @@ bool one_formula(const Profile& profile, std::size_t knot) {
 
 IntegratedContact::IntegratedContact(const Profile& profile, const Exact& contact_modulus,
                                      const Load& load, long bits)
-    : ProvedContact(profile, enclosed_constant(contact_modulus, bits), bits), load_(load) {
+    : PlaneContact(profile, enclosed_constant(contact_modulus, bits), bits), load_(load) {
     if (load.kind == Load::Kind::right_edge) {
         known_a_ = load.value;
         a_ = enclosed_constant(load.value, bits);
@@ -70,40 +70,6 @@ Box IntegratedContact::over_spans(const Ball& a, const Ball& b,
         sum = sum + on.integral(f, accuracy, bits_);
     }
     return sum;
-}
-
-// docs/stress.md, "Curved slopes"
-CauchyIntegral IntegratedContact::cauchy_integral(const Box& zeta,
-                                                  const std::optional<Exact>& known_x) const {
-    const Ball pi = Ball::pi(bits_);
-    const Ball factor = modulus_ / 2;
-    const Ball mean = zone_ ? slope_integral(a_, b_, 0) / pi : Ball(0, bits_);
-    const Ball x = zeta.real();
-    const bool surface = arb_is_zero(zeta.imaginary().data()) != 0;
-    if (surface && !certainly_less(a_, x) && !certainly_less(x, -b_)) {
-        const Box unknown(unknown_ball(bits_), unknown_ball(bits_));
-        const auto knot = knot_at(known_x);
-        const auto piece = knot ? knot : piece_of(x);
-        const bool inside = certainly_less(x, a_) && certainly_less(-b_, x);
-        const bool on_edge =
-            arb_is_exact(x.data()) != 0 &&
-            (arb_equal(x.data(), a_.data()) != 0 || arb_equal(x.data(), Ball(-b_).data()) != 0);
-        if (!piece || !(inside || on_edge)) {
-            return {unknown, unknown};
-        }
-        const Ball slope = series_of_slope(*piece, x, 1)[0] - mean;
-        const Ball p = on_edge ? Ball(0, bits_) : zone_pressure(Edge::right, a_ - x, known_x);
-        return {Box(slope * pi * factor, -pi * p), unknown};
-    }
-    const Box root = root_outside({a_, b_}, zeta);
-    const auto with_poles = [&](std::size_t poles) {
-        return over_spans(a_, b_, [&](const SlopeOnSpan& on, const Box& t, const Box& s) {
-            return on.over_distance(zeta, mean, poles, t, s);
-        });
-    };
-    const Box once = with_poles(1);
-    const Box twice = surface ? once : with_poles(2); // not used there
-    return {root * once * factor, ((zeta - (a_ - b_) / 2) / root * once - root * twice) * factor};
 }
 
 // docs/curved-slopes.md, "What is integrated".
@@ -132,14 +98,23 @@ Ball IntegratedContact::moment() const {
            (d * slope_integral(a_, b_, 2) + (a_ - b_) * slope_integral(a_, b_, 1));
 }
 
+IntegratedContact IntegratedContact::mirrored() const {
+    IntegratedContact other(*this);
+    other.mirror();
+    other.forget();
+    other.roots_.reset();
+    return other;
+}
+
+void IntegratedContact::forget() {
+    disks_.clear();
+    over_theta_.reset();
+    bounding_.reset();
+}
+
 std::vector<Ball> IntegratedContact::expansion(Edge edge, std::size_t terms) const {
     if (edge == Edge::left && (zone_ || !profile_.symmetric())) {
-        IntegratedContact other(*this);
-        other.mirror();
-        other.disks_.clear();
-        other.over_theta_.reset();
-        other.roots_.reset();
-        return other.right_expansion(terms);
+        return mirrored().right_expansion(terms);
     }
     return right_expansion(terms);
 }
@@ -176,16 +151,25 @@ std::vector<Ball> IntegratedContact::coefficients_by_disk(std::size_t piece,
     return I;
 }
 
-std::vector<Ball> IntegratedContact::right_expansion(std::size_t terms) const {
-    std::size_t last = 0; // the piece at the edge
+std::optional<std::size_t> IntegratedContact::edge_piece(Edge edge) const {
+    std::size_t piece = 0;
     for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
-        if (certainly_less(slope_.knots[i], a_)) {
-            ++last;
-        } else if (bends(i) && !certainly_less(a_, slope_.knots[i]) && on_edge_[i] != Edge::right) {
-            return std::vector<Ball>(terms, unknown_ball(bits_));
+        const Ball inwards = edge == Edge::right ? a_ - slope_.knots[i] : slope_.knots[i] + b_;
+        if (on_edge_[i] != edge && bends(i) && contains_zero(inwards)) {
+            return {};
         }
+        const bool on_or_beyond = on_edge_[i] == edge || !certainly_positive(inwards);
+        piece = on_or_beyond == (edge == Edge::left) ? i + 1 : piece;
     }
-    last = whole_piece(last);
+    return whole_piece(piece);
+}
+
+std::vector<Ball> IntegratedContact::right_expansion(std::size_t terms) const {
+    const auto at_edge = edge_piece(Edge::right);
+    if (!at_edge) {
+        return std::vector<Ball>(terms, unknown_ball(bits_));
+    }
+    const std::size_t last = *at_edge;
     // p = (E*/(2 pi)) sqrt(u (D - u)) I(x), where I is the sum of I_k (-u)^k (docs/expansions.md,
     // "Coefficients of curved slopes").
     std::vector<Ball> I =
@@ -327,11 +311,23 @@ const IntegratedContact::Roots& IntegratedContact::roots() const {
 }
 
 // docs/curved-slopes.md, "What is integrated": a branch point on a knot, |s - v| = w^n.
-std::vector<quadrature::ThetaSpan> IntegratedContact::spans(const Ball& a, const Ball& b) const {
+std::vector<quadrature::ThetaSpan> IntegratedContact::spans(const Ball& a, const Ball& b,
+                                                            const std::optional<Ball>& cut) const {
     const Ball centre = (a - b) / 2;
     const Ball half = (a + b) / 2;
     std::vector<quadrature::ThetaSpan> list;
-    for (const quadrature::ThetaSpan& whole : piece_spans(a, b)) {
+    std::vector<quadrature::ThetaSpan> pieces = piece_spans(a, b);
+    std::optional<std::size_t> after; // the piece that begins at the cut
+    for (std::size_t i = 0; cut && !after && i < pieces.size(); ++i) {
+        if (certainly_less(pieces[i].from, *cut) && certainly_less(*cut, pieces[i].to)) {
+            pieces.insert(pieces.begin() + static_cast<std::ptrdiff_t>(i), pieces[i]);
+            pieces[i].to = *cut;
+            pieces[i + 1].from = *cut;
+            after = i + 1;
+        }
+    }
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const quadrature::ThetaSpan& whole = pieces[i];
         const Ball between = middle((whole.from + whole.to) / 2);
         const Ball s = centre + half * cos(between);
         // Next to the knot at the right end of the piece, and next to the knot at its left end.
@@ -352,12 +348,12 @@ std::vector<quadrature::ThetaSpan> IntegratedContact::spans(const Ball& a, const
             return span;
         };
         const auto right =
-            whole.piece < slope_.knots.size() ? rooted(whole.piece, 0) : std::nullopt;
+            whole.piece < slope_.knots.size() && after != i ? rooted(whole.piece, 0) : std::nullopt;
         std::size_t last = whole.piece; // at the left end
         while (last > 0 && !bends(last - 1)) {
             --last;
         }
-        const auto left = last > 0 ? rooted(last - 1, 1) : std::nullopt;
+        const auto left = last > 0 && after != i + 1 ? rooted(last - 1, 1) : std::nullopt;
         if (!right && !left) {
             list.push_back(whole);
             continue;

@@ -2,9 +2,8 @@
 #pragma once
 #include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/curved/pressure_disk.hpp"
-#include "edgeproof/contact/enclosure/proved_contact.hpp"
+#include "edgeproof/contact/enclosure/plane_contact.hpp"
 #include "edgeproof/contact/enclosure/zone_equations.hpp"
-#include "edgeproof/contact/stress/cauchy_integral.hpp"
 
 #include <array>
 #include <cstddef>
@@ -24,7 +23,7 @@ namespace edgeproof::contact {
 /// (eqn:Consistency) decreases as the left edge moves outwards, and the force increases with the
 /// right edge of a contact that satisfies the consistency condition. Opposite signs at both trial
 /// edges therefore prove that exactly one edge lies between them.
-class IntegratedContact : public ProvedContact {
+class IntegratedContact : public PlaneContact {
 public:
     /// Throws BudgetError where `bits` do not suffice to enclose the edges.
     /// @param profile g'(x)
@@ -67,23 +66,74 @@ public:
     /// `known_x`: see ProvedContact::pressure.
     [[nodiscard]] Ball zone_pressure(Edge edge, const Ball& u,
                                      const std::optional<Exact>& known_x) const;
-    /// The Cauchy integral of the pressure of the contact, or of the zone (docs/stress.md, "Curved
-    /// slopes"). Enclosed; not finite on the surface in the contact at knots and edges, except for
-    /// the value at an edge or a knot that is known exactly. `known_x`: see
-    /// ProvedContact::pressure.
-    [[nodiscard]] CauchyIntegral cauchy_integral(const Box& zeta,
-                                                 const std::optional<Exact>& known_x) const;
+    using PlaneContact::cauchy_integral;
+    [[nodiscard]] CauchyIntegral
+    cauchy_integral(const Box& zeta, const std::optional<Exact>& known_x) const override;
+    [[nodiscard]] CauchyDerivatives cauchy_derivatives(const Box& zeta) const override;
+    [[nodiscard]] CauchyBounds cauchy_bounds(const Box& zeta) const override;
+    [[nodiscard]] std::vector<Ball> edge_slope(std::size_t terms) const override;
+    [[nodiscard]] Box edge_slope_rate(const Ball& radius) const override;
+    [[nodiscard]] Ball gap_beyond(Edge edge, const Ball& beyond) const override;
+    [[nodiscard]] SurfacePotential
+    surface_potential(const Ball& x, const std::optional<Exact>& known) const override;
+    [[nodiscard]] std::shared_ptr<const PlaneContact> mirror_image() const override {
+        return std::make_shared<IntegratedContact>(mirrored());
+    }
+    [[nodiscard]] std::shared_ptr<const PlaneContact> zone(const Ball& a,
+                                                           const Ball& b) const override {
+        return std::make_shared<IntegratedContact>(between(a, b, bits_));
+    }
     /// An initial zone of a profile whose contact is enclosed elsewhere.
     IntegratedContact(const Profile& profile, const Exact& contact_modulus, const Ball& a,
                       const Ball& b, long bits);
 
 private:
+    [[nodiscard]] IntegratedContact mirrored() const;
+    /// Forgets what was kept of other edges.
+    void forget();
+    /// The mean of g' over theta: 0 for a contact, the tilt of a zone with the other sign.
+    [[nodiscard]] Ball mean_slope() const;
+    /// The piece at an edge; nothing if the edge may lie on a knot.
+    [[nodiscard]] std::optional<std::size_t> edge_piece(Edge edge) const;
+    /// The integral of g' from lo to hi (lengths), on either side of the edges. Not finite where
+    /// an end may be on a knot at which g' is not analytic.
+    [[nodiscard]] Ball rise(const Ball& lo, const Ball& hi) const;
+    /// The lift at the distance `beyond` (length) from the right edge.
+    [[nodiscard]] Ball lift_beyond(const Ball& beyond) const;
+    /// The force carried between x in the contact and the right edge; `knot`: the knot at x.
+    [[nodiscard]] Ball carried_inside(const Ball& x, const std::optional<std::size_t>& knot) const;
+    /// A Taylor series of T about a place off the contact.
+    struct Around {
+        Box centre;
+        Ball distance; ///< from the contact, a lower bound
+        std::vector<Box> T;
+    };
+    /// What bounds of T need.
+    struct Bounding {
+        struct Node {
+            Ball theta;
+            Ball s;
+            Ball slope; ///< g'(s)
+        };
+        Ball mean; ///< see mean_slope
+        Ball force;
+        Ball steepest;                      ///< an upper bound of g''
+        std::vector<Node> nodes;            ///< from the right edge to the left one, knots included
+        mutable std::vector<Around> around; ///< the series made so far
+    };
+    /// Computed when first needed.
+    [[nodiscard]] const Bounding& bounding() const;
+    [[nodiscard]] Around series_off_contact(const Box& centre, std::size_t terms,
+                                            long accuracy) const;
+    [[nodiscard]] CauchyDerivatives off_contact(const Around& series, const Box& zeta) const;
+    [[nodiscard]] CauchyDerivatives near_contact(const Box& zeta) const;
     /// The pieces from the right edge to the left one; pieces of one formula are one span.
     [[nodiscard]] std::vector<quadrature::ThetaSpan> piece_spans(const Ball& a,
                                                                  const Ball& b) const;
     /// The same, but half of a piece next to a branch point on a knot is given in a variable in
-    /// which g' is holomorphic.
-    [[nodiscard]] std::vector<quadrature::ThetaSpan> spans(const Ball& a, const Ball& b) const;
+    /// which g' is holomorphic. `cut`: an angle theta at which a span ends.
+    [[nodiscard]] std::vector<quadrature::ThetaSpan>
+    spans(const Ball& a, const Ball& b, const std::optional<Ball>& cut = {}) const;
     /// The formulas used by spans().
     struct Roots {
         struct Root {
@@ -174,6 +224,7 @@ private:
     bool zone_ = false; ///< a zone of a contact: b may differ from a even if g' is odd
     mutable std::map<Edge, std::vector<std::shared_ptr<const Disk>>> disks_;
     mutable std::shared_ptr<const SlopeOverTheta> over_theta_;
+    mutable std::shared_ptr<const Bounding> bounding_;
     mutable std::shared_ptr<const Roots> roots_; ///< of the profile
 };
 

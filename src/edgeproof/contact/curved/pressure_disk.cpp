@@ -289,17 +289,29 @@ PressureDisk::PressureDisk(const SlopeOverTheta& integral, std::size_t holds, co
 }
 
 BallSeries PressureDisk::at(const Ball& z, std::size_t order) const {
-    std::vector<Ball> c(coefficients_);
+    std::vector<Ball> c;
+    for (const Box& x : at(Box(z), order)) {
+        c.push_back(x.real());
+    }
+    return BallSeries(c);
+}
+
+std::vector<Box> PressureDisk::at(const Box& z, std::size_t order) const {
+    std::vector<Box> c;
+    for (const Ball& x : coefficients_) {
+        c.emplace_back(x.with_bits(bits_));
+    }
     const std::size_t terms = c.size();
     for (std::size_t k = 0; k < std::min(order, terms); ++k) {
         for (std::size_t j = terms - 1; j-- > k;) {
-            arb_addmul(c[j].data(), z.data(), c[j + 1].data(), bits_);
+            acb_addmul(c[j].get(), z.get(), c[j + 1].get(), bits_);
         }
     }
-    c.resize(order, Ball(0, bits_));
+    c.resize(order, Box(bits_));
     // The remainder: the sum over j >= terms of binomial(j, k) bound q^(j - k)/radius^k, by
     // Cauchy's estimate (docs/curved-slopes.md, "Intervals and disks").
-    const Magnitude q(Ball(z / radius_));
+    const bool real = arb_is_zero(acb_imagref(z.get())) != 0;
+    const Magnitude q(Ball(abs(z) / radius_));
     Magnitude rest = bound_;
     for (std::size_t j = 0; j < terms; ++j) {
         rest = rest * q;
@@ -312,15 +324,17 @@ BallSeries PressureDisk::at(const Ball& z, std::size_t order) const {
         if (at_centre && k < n) {
             continue;
         }
+        Box& sum = c[static_cast<std::size_t>(k)];
         if (k >= n || !certainly_positive(less)) {
-            c[static_cast<std::size_t>(k)] = unknown_ball(bits_);
+            acb_indeterminate(sum.get());
             continue;
         }
-        c[static_cast<std::size_t>(k)] += (rest / Magnitude::least(less)).ball(bits_);
+        const Ball error = (rest / Magnitude::least(less)).ball(bits_);
+        sum = sum + Box(error, real ? Ball(0, bits_) : error);
         rest = rest * Magnitude(Ball(n - k, box_bits)) / Magnitude(Ball(k + 1, box_bits)) / q /
                Magnitude::least(radius_);
     }
-    return BallSeries(c);
+    return c;
 }
 
 bool PressureDisk::good_to(const Ball& z, long bits) const {

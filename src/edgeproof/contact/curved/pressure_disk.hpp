@@ -3,6 +3,7 @@
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/ball/ball_series.hpp"
+#include "edgeproof/precision/ball/complex_box.hpp"
 #include "edgeproof/precision/ball/magnitude.hpp"
 #include "edgeproof/quadrature/theta_cells.hpp"
 
@@ -50,9 +51,10 @@ public:
     [[nodiscard]] const Ball& radius() const { return radius_; }
     /// A bound of |I| on the disk (1/length).
     [[nodiscard]] Ball bound() const { return bound_.ball(64); }
-    /// Returns I(x + z + t) in powers of t, for every z of the ball (length); not finite if the
-    /// ball reaches too far.
+    /// Returns I(x + z + t) in powers of t, for every z of the ball, or of the box (length); not
+    /// finite if it reaches too far.
     [[nodiscard]] BallSeries at(const Ball& z, std::size_t order) const;
+    [[nodiscard]] std::vector<Box> at(const Box& z, std::size_t order) const;
     /// True if the remainder of I(x + z) is below 2^-bits times the bound.
     [[nodiscard]] bool good_to(const Ball& z, long bits) const;
 

@@ -32,7 +32,7 @@ std::unique_ptr<ProvedContact> proved_contact(const Profile& profile, const Exac
 
 IntegratedContact::IntegratedContact(const Profile& profile, const Exact& contact_modulus,
                                      const Ball& a, const Ball& b, long bits)
-    : ProvedContact(profile, enclosed_constant(contact_modulus, bits), bits), zone_(true) {
+    : PlaneContact(profile, enclosed_constant(contact_modulus, bits), bits), zone_(true) {
     move_edges(a, b);
 }
 
@@ -45,8 +45,7 @@ IntegratedContact IntegratedContact::between(const Ball& a, const Ball& b, long 
         knot = knot.with_bits(bits);
     }
     zone.move_edges(a, b);
-    zone.disks_.clear();
-    zone.over_theta_.reset();
+    zone.forget();
     return zone;
 }
 
@@ -202,31 +201,17 @@ std::unique_ptr<ZoneSolver> zone_solver(const ProvedContact& contact, const Prof
     return closed_form_zones(*closed, total_force);
 }
 
-CauchyIntegral pressure_integral(const ProvedContact& contact, const Box& zeta,
-                                 const std::optional<Exact>& x) {
-    const BallContact* const closed = contact.closed_form();
-    return closed != nullptr
-               ? cauchy_integral(*closed, zeta)
-               : dynamic_cast<const IntegratedContact&>(contact).cauchy_integral(zeta, x);
-}
-
-TractionParts::TractionParts(const BallSlip& slip, const ProvedContact& contact,
+TractionParts::TractionParts(const BallSlip& slip, const PlaneContact& contact,
                              const Profile& profile, const Exact& contact_modulus, bool tilted)
-    : whole_ratio_(slip.whole_ratio()) {
+    : whole_ratio(slip.whole_ratio()) {
     const BallContact* const closed = contact.closed_form();
-    const auto* const curved = dynamic_cast<const IntegratedContact*>(&contact);
-    closed_forms_ = closed != nullptr && (closed->piecewise_linear() || !tilted);
+    const bool integrated = tilted && closed != nullptr && !closed->piecewise_linear();
     for (const ShearPart& part : slip.parts()) {
-        ratios_.push_back(part.ratio);
         const auto& [a, b] = part.zone;
-        if (closed_forms_) {
-            closed_.push_back(closed->between(a, b));
-        } else if (curved != nullptr) {
-            integrated_.push_back(curved->between(a, b, contact.bits()));
-        } else {
-            integrated_.push_back(
-                IntegratedContact(profile, contact_modulus, a, b, contact.bits()));
-        }
+        parts.push_back({integrated ? std::make_shared<IntegratedContact>(profile, contact_modulus,
+                                                                          a, b, contact.bits())
+                                    : contact.zone(a, b),
+                         part.ratio});
     }
 }
 
@@ -234,11 +219,18 @@ TractionParts::TractionParts(const BallSlip& slip, const ProvedContact& contact,
 // Q; after a load history q is a sum of such parts (docs/histories.md).
 CauchyIntegral TractionParts::integral(const CauchyIntegral& p, const Box& zeta,
                                        const std::optional<Exact>& x) const {
-    CauchyIntegral q = p * whole_ratio_;
-    for (std::size_t i = 0; i < ratios_.size(); ++i) {
-        q = q - (closed_forms_ ? contact::cauchy_integral(closed_[i], zeta)
-                               : integrated_[i].cauchy_integral(zeta, x)) *
-                    -ratios_[i];
+    CauchyIntegral q = p * whole_ratio;
+    for (const auto& [zone, ratio] : parts) {
+        q = q + zone->cauchy_integral(zeta, x) * ratio;
+    }
+    return q;
+}
+
+SurfacePotential TractionParts::potential(const SurfacePotential& p, const Ball& x,
+                                          const std::optional<Exact>& known) const {
+    SurfacePotential q = p * whole_ratio;
+    for (const auto& [zone, ratio] : parts) {
+        q = q + zone->surface_potential(x, known) * ratio;
     }
     return q;
 }

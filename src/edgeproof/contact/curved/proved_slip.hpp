@@ -4,7 +4,6 @@
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"
 #include "edgeproof/contact/slip/stick_zone.hpp"
-#include "edgeproof/contact/stress/cauchy_integral.hpp"
 
 #include <memory>
 #include <optional>
@@ -62,38 +61,32 @@ proved_contact(const Profile& profile, const Exact& contact_modulus, const Load&
 /// integration. It keeps a copy of `contact`.
 [[nodiscard]] std::unique_ptr<ZoneSolver> integrated_zones(const IntegratedContact& contact);
 
-/// The Cauchy integral of the pressure of a plane contact made by proved_contact(). Enclosed. `x`:
-/// the real part of zeta, if it is known exactly.
-[[nodiscard]] CauchyIntegral pressure_integral(const ProvedContact& contact, const Box& zeta,
-                                               const std::optional<Exact>& x = {});
-
-/// The parts of the traction of partial slip, or after a load history, as contacts: by closed
-/// forms, or by rigorous integration for curved slopes and for power laws under a bulk tension.
-class TractionParts {
-public:
+/// The parts of the traction of partial slip, or after a load history, as contacts: by rigorous
+/// integration for curved slopes and for power laws under a bulk tension.
+struct TractionParts {
+    /// The zone of a part of q, and its factor (BallSlip::parts).
+    struct Part {
+        std::shared_ptr<const PlaneContact> zone;
+        Ball ratio;
+    };
     /// @param slip the state, which does not slide
     /// @param contact the plane contact
     /// @param profile g'(x) of it
     /// @param contact_modulus E* (stress)
     /// @param tilted true if a bulk tension tilts the zones
-    TractionParts(const BallSlip& slip, const ProvedContact& contact, const Profile& profile,
+    TractionParts(const BallSlip& slip, const PlaneContact& contact, const Profile& profile,
                   const Exact& contact_modulus, bool tilted);
 
-    /// The zones of the parts as contacts, in the order of BallSlip::parts(); null without closed
-    /// forms.
-    [[nodiscard]] const std::vector<BallContact>* closed() const {
-        return closed_forms_ ? &closed_ : nullptr;
-    }
-    /// The Cauchy integral of q. Enclosed. `p` is that of the pressure at the same place.
+    /// The Cauchy integral of q. Enclosed. `p` is that of the pressure at the same place; `x`: see
+    /// ProvedContact::pressure.
     [[nodiscard]] CauchyIntegral integral(const CauchyIntegral& p, const Box& zeta,
                                           const std::optional<Exact>& x = {}) const;
+    /// The same for the potential of q.
+    [[nodiscard]] SurfacePotential potential(const SurfacePotential& p, const Ball& x,
+                                             const std::optional<Exact>& known) const;
 
-private:
-    bool closed_forms_;
-    std::vector<BallContact> closed_;
-    std::vector<IntegratedContact> integrated_;
-    Ball whole_ratio_;
-    std::vector<Ball> ratios_;
+    Ball whole_ratio;
+    std::vector<Part> parts;
 };
 
 } // namespace edgeproof::contact

@@ -127,7 +127,7 @@ void BallContact::tilt_by(const Ball& alpha) {
 }
 
 BallContact::BallContact(const Profile& profile, const Ball& modulus, long bits)
-    : ProvedContact(profile, modulus, bits) {
+    : PlaneContact(profile, modulus, bits) {
     if (!profile.has_closed_form()) {
         throw DomainError("only a piecewise linear slope or a power law has a closed form");
     }

@@ -2,8 +2,8 @@
 #pragma once
 #include "edgeproof/contact/enclosure/exact_contact.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"
+#include "edgeproof/contact/enclosure/plane_contact.hpp"
 #include "edgeproof/contact/enclosure/power_law_integral.hpp"
-#include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/contact/enclosure/zone_equations.hpp"
 #include "edgeproof/contact/law/kernels.hpp"
 #include "edgeproof/contact/law/linear_measure.hpp"
@@ -12,6 +12,7 @@
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/ball/ball_series.hpp"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -25,7 +26,7 @@ namespace edgeproof::contact {
 /// The edges are enclosed by the interval form of Newton's method (`moore-kearfott-cloud2009`),
 /// which proves that there is exactly one edge in the ball. Radii grow with the condition of the
 /// problem; callers increase the bits (escalate.hpp) until the radii are small enough.
-class BallContact : public ProvedContact {
+class BallContact : public PlaneContact {
 public:
     /// Throws DomainError for a profile without a closed form, and BudgetError if `bits` are too
     /// few to isolate the edges.
@@ -65,6 +66,23 @@ public:
     [[nodiscard]] Ball reach(Edge edge) const override;
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
+    using PlaneContact::cauchy_integral;
+    [[nodiscard]] CauchyIntegral cauchy_integral(const Box& zeta,
+                                                 const std::optional<Exact>& x) const override;
+    [[nodiscard]] CauchyDerivatives cauchy_derivatives(const Box& zeta) const override;
+    [[nodiscard]] CauchyBounds cauchy_bounds(const Box& zeta) const override;
+    [[nodiscard]] std::vector<Ball> edge_slope(std::size_t terms) const override;
+    [[nodiscard]] Box edge_slope_rate(const Ball& radius) const override;
+    [[nodiscard]] Ball gap_beyond(Edge edge, const Ball& beyond) const override;
+    [[nodiscard]] SurfacePotential
+    surface_potential(const Ball& x, const std::optional<Exact>& known) const override;
+    [[nodiscard]] std::shared_ptr<const PlaneContact> mirror_image() const override {
+        return std::make_shared<BallContact>(mirrored());
+    }
+    [[nodiscard]] std::shared_ptr<const PlaneContact> zone(const Ball& a,
+                                                           const Ball& b) const override {
+        return std::make_shared<BallContact>(between(a, b));
+    }
     /// The parts of the pressure of a piecewise linear slope (linear_measure.hpp): the slope;
     /// the marks of its knots; whether a knot is inside and the formula of g' changes there, and
     /// the list of these knots; the integral of g'' over the angle; the factor E*/(2 pi) of the
@@ -75,18 +93,14 @@ public:
     [[nodiscard]] const std::vector<std::size_t>& bends_inside() const { return fixed_.inside; }
     [[nodiscard]] const Ball& arc() const { return fixed_.arc; }
     [[nodiscard]] const Ball& pressure_factor() const { return fixed_.factor; }
-    /// The mirror image of the contact, with its edges.
+    /// See PlaneContact::mirror_image and PlaneContact::zone.
     [[nodiscard]] BallContact mirrored() const;
+    [[nodiscard]] BallContact between(const Ball& a, const Ball& b) const;
     /// The contact of the same profile whose right edge lies in the ball. Throws BudgetError if the
     /// bits, or the ball, do not isolate the left edge.
     [[nodiscard]] BallContact with_right_edge(const Ball& a) const;
 
-    /// The zone -b < x < a of the same profile, with the tilt that makes it a contact: a tilt does
-    /// not change the formula of the pressure (docs/partial-slip.md, "The corrective contact"). For
-    /// a power law only symmetric zones are allowed.
-    [[nodiscard]] BallContact between(const Ball& a, const Ball& b) const;
-    /// The integrals over such a zone of a piecewise linear slope, of a contact without known
-    /// edges.
+    /// The integrals over a zone of a piecewise linear slope, of a contact without known edges.
     [[nodiscard]] ZoneValues values_of(const BallZone& zone) const;
     [[nodiscard]] ZoneRates rates_of(const BallZone& zone) const;
 

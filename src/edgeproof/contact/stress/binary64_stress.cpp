@@ -68,7 +68,7 @@ Binary64Stress::Binary64Stress(const StressField& field,
                                const std::optional<ShearLoad<Ball>>& stuck)
     : bulk_(number_of(field.bulk)), stuck_(stuck.has_value()) {
     for (const LoadPart& load : field.parts) {
-        const BallContact& contact = load.contact;
+        const BallContact& contact = *load.contact->closed_form();
         const Ball half = contact.length() / 2;
         const Ball modulus = contact.modulus() / 2;
         Part part{to_double_word(contact.a()),

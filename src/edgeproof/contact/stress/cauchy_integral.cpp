@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/stress/cauchy_integral.hpp"
 
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/precision/ball/magnitude.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -56,7 +58,7 @@ Box small_moment(const Outside& at, const Box& offset) {
 }
 
 // docs/stress.md, "Piecewise linear slopes"
-CauchyIntegral linear(const BallContact& contact, const Box& zeta) {
+CauchyIntegral of_linear(const BallContact& contact, const Box& zeta) {
     const Outside at({contact.a(), contact.b()}, zeta);
     const LinearSlope<Ball>& slope = contact.slope();
     // For the whole contact: (D/2) omega times the integral of g'' dh.
@@ -82,11 +84,14 @@ CauchyIntegral linear(const BallContact& contact, const Box& zeta) {
     return {value * factor, (derivative + by_root / at.root) * factor};
 }
 
-/// Returns a box around 0 that contains all numbers of at most the size of x.
+} // namespace
+
 Box box_of_size(const Ball& x) {
     const Ball all = Magnitude(x).ball(x.bits());
     return {all, all};
 }
+
+namespace {
 
 /// sqrt(x) for x with Im x >= 0, also if the box contains 0.
 Box root_above(const Box& x) {
@@ -97,11 +102,13 @@ Box root_above(const Box& x) {
     const Ball part = Ball::hull(Ball(0, x.bits()), most);
     return {part, part};
 }
+
+} // namespace
+
 Box root_above(const Extent<Ball>& e, const Box& zeta) {
     return root_above(zeta - e.a) * root_above(zeta + e.b);
 }
 
-/// z/W for every zeta of a box. Where that contains an edge, z <= |zeta - edge| is used.
 Box depth_over_root(const Extent<Ball>& e, const Box& zeta) {
     const Box right = zeta - e.a;
     const Box left = zeta + e.b;
@@ -118,6 +125,8 @@ Box depth_over_root(const Extent<Ball>& e, const Box& zeta) {
     return box_of_size(sqrt(Ball(zeta.imaginary().upper(), zeta.bits())) /
                        max(least_root(right), least_root(left)));
 }
+
+namespace {
 
 // The derivatives of docs/stress.md, "Piecewise linear slopes", with omega' = -omega/W,
 // k' = -w_v/(W (zeta - v)) and W' = (zeta - c)/W.
@@ -243,7 +252,7 @@ Box punches_of_whole_power(long m, const Box& Z, const Box& root) {
 
 // P(a) = K a^(m+1), so that the Cauchy integral is that of the flat punches by which the contact
 // grows: the integral of P'(s)/sqrt(zeta^2 - s^2) ds over 0 < s < a (docs/stress.md, "Power laws").
-CauchyIntegral power_law(const BallContact& contact, const Box& zeta) {
+CauchyIntegral of_power_law(const BallContact& contact, const Box& zeta) {
     const long bits = zeta.bits();
     const Ball& a = contact.a();
     const Ball force = contact.force();
@@ -290,7 +299,7 @@ CauchyDerivatives power_law_derivatives(const BallContact& contact, const Box& z
         const Box unknown = box_of_size(Ball(1, bits) / Ball(0, bits));
         return {unknown, unknown, unknown, unknown};
     }
-    const Box start = power_law(contact, middle).value;
+    const Box start = of_power_law(contact, middle).value;
     const Box inverse = Box(Ball(1, bits)) / root;
     const Box free = inverse * growth;
     const auto rate_of = [&](const Box& value) { return (value * m - free) / zeta; };
@@ -349,31 +358,52 @@ Box root_outside(const Extent<Ball>& e, const Box& zeta) {
     return sqrt(zeta - e.a) * sqrt(zeta + e.b);
 }
 
-CauchyIntegral cauchy_integral(const BallContact& contact, const Box& zeta) {
-    return contact.piecewise_linear() ? linear(contact, zeta) : power_law(contact, zeta);
+CauchyIntegral BallContact::cauchy_integral(const Box& zeta,
+                                            const std::optional<Exact>& /*x*/) const {
+    return piecewise_linear() ? of_linear(*this, zeta) : of_power_law(*this, zeta);
 }
 
-Ball cauchy_integral_at_edge(const BallContact& contact, Edge edge) {
-    if (edge == Edge::left) {
-        return -cauchy_integral_at_edge(contact.mirrored(), Edge::right);
-    }
-    if (!contact.piecewise_linear()) {
-        return power_law_slope(contact, contact.a());
+std::vector<Ball> BallContact::edge_slope(std::size_t terms) const {
+    std::vector<Ball> E(terms, Ball(0, bits_));
+    if (!piecewise_linear()) { // the binomial series of (zeta/a)^m
+        E[0] = power_law_slope(*this, a_);
+        for (std::size_t k = 1; k < terms; ++k) {
+            const auto n = static_cast<long>(k);
+            E[k] = E[k - 1] * (power_->exponent - (n - 1)) / (a_ * n);
+        }
+        return E;
     }
     // g'(a) = (1/pi) integral of (pi - h) dg' by the consistency condition
-    return over_linear_measure<LeftBalanceKernel>(
-               contact.slope(), Extent<Ball>{contact.a(), contact.b()}, contact.knot_marks()) *
-           contact.modulus() / 2;
+    E[0] = over_linear_measure<LeftBalanceKernel>(slope_, Extent<Ball>{a_, b_}, fixed_.marks) *
+           modulus_ / 2;
+    if (terms > 1) {
+        const auto beyond =
+            std::ranges::find(fixed_.marks, std::optional(Edge::right), &Mark<Ball>::end);
+        E[1] = slope_.rate(static_cast<std::size_t>(beyond - fixed_.marks.begin())) * modulus_ *
+               Ball::pi(bits_) / 2;
+    }
+    return E;
 }
 
-CauchyDerivatives cauchy_derivatives(const BallContact& contact, const Box& zeta) {
-    return contact.piecewise_linear() ? linear_derivatives(contact, zeta)
-                                      : power_law_derivatives(contact, zeta);
+Box BallContact::edge_slope_rate(const Ball& radius) const {
+    const Ball rate = edge_slope(2)[1];
+    if (piecewise_linear()) {
+        return Box(rate);
+    }
+    // (m/a) T(a) (zeta/a)^(m-1), |zeta/a - 1| at most q
+    const Ball& m = power_->exponent;
+    const Ball q = radius / a_;
+    const Ball change = abs(m - 1) * q * max(pow(1 - q, m - 2), pow(1 + q, m - 2));
+    return (box_of_size(change) + Ball(1, bits_)) * rate;
 }
 
-CauchyBounds cauchy_bounds(const BallContact& contact, const Box& zeta) {
-    return contact.piecewise_linear() ? linear_bounds(contact, zeta)
-                                      : power_law_bounds(contact, zeta);
+CauchyDerivatives BallContact::cauchy_derivatives(const Box& zeta) const {
+    return piecewise_linear() ? linear_derivatives(*this, zeta)
+                              : power_law_derivatives(*this, zeta);
+}
+
+CauchyBounds BallContact::cauchy_bounds(const Box& zeta) const {
+    return piecewise_linear() ? linear_bounds(*this, zeta) : power_law_bounds(*this, zeta);
 }
 
 // docs/stress.md, "The Cauchy integrals of q": T = Q/W + (pi sigma_0/4)((zeta - c)/W - 1)

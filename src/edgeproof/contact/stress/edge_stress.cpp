@@ -13,10 +13,10 @@ EdgeStress::EdgeStress(const StressField& field, const std::optional<ShearLoad<B
     : bits_(field.bits()), first_(stick ? -1 : 0), edge_(edge), bulk_(field.bulk),
       pressure_(terms, Ball(0, bits_)), shear_(terms, Ball(0, bits_)) {
     const StressField turned = edge == Edge::left ? field.reflected() : field;
-    const BallContact& contact = turned.contact();
+    const PlaneContact& contact = turned.contact();
     Ball reach(contact.reach(Edge::right).lower(), bits_);
     for (std::size_t i = 1; i < turned.parts.size(); ++i) {
-        reach = min(reach, contact.a() - turned.parts[i].contact.a());
+        reach = min(reach, contact.a() - turned.parts[i].contact->a());
     }
     radius_ = Ball(Real((reach * 31 / 32).lower()), bits_);
     if (!certainly_positive(radius_) || contact.edge_may_be_on_knot()) {
@@ -24,7 +24,7 @@ EdgeStress::EdgeStress(const StressField& field, const std::optional<ShearLoad<B
     }
     add_contact(contact, turned.parts.front().pressure, turned.parts.front().shear);
     for (std::size_t i = 1; i < turned.parts.size(); ++i) {
-        add_zone(turned.parts[i].contact, contact.a(), turned.parts[i].shear);
+        add_zone(*turned.parts[i].contact, contact.a(), turned.parts[i].shear);
     }
     if (stick) { // the mirror image of q has the other sign, that of a tension the same
         add_stick({edge == Edge::left ? -stick->Q : stick->Q, stick->bulk_tension},
@@ -32,8 +32,8 @@ EdgeStress::EdgeStress(const StressField& field, const std::optional<ShearLoad<B
     }
 }
 
-// P is pi E* g'/2 - pi sum (-1)^k c_k s^(2k+1), with g' of the piece that ends at the edge.
-void EdgeStress::add_contact(const BallContact& contact, const Ball& pressure, const Ball& shear) {
+// P is pi E* g'/2 - pi sum (-1)^k c_k s^(2k+1).
+void EdgeStress::add_contact(const PlaneContact& contact, const Ball& pressure, const Ball& shear) {
     const Ball pi = Ball::pi(bits_);
     const auto terms = static_cast<int>(pressure_.size());
     const auto add = [&](int j, const Ball& A) {
@@ -46,27 +46,16 @@ void EdgeStress::add_contact(const BallContact& contact, const Ball& pressure, c
     for (std::size_t k = 0; k < c.size(); ++k) {
         add(static_cast<int>(2 * k + 1), k % 2 == 0 ? -pi * c[k] : pi * c[k]);
     }
-    Ball A = cauchy_integral_at_edge(contact, Edge::right);
-    add(0, A);
-    if (contact.piecewise_linear()) {
-        const auto& marks = contact.knot_marks();
-        const auto beyond = std::ranges::find(marks, std::optional(Edge::right), &Mark<Ball>::end);
-        A = contact.slope().rate(static_cast<std::size_t>(beyond - marks.begin())) *
-            contact.modulus() * pi / 2;
-        add(2, A);
-    } else { // the binomial series of (zeta/a)^m
-        const Ball& m = contact.power_law()->exponent;
-        for (int k = 0; 2 * k + 2 - first_ < terms; ++k) {
-            A = A * (m - k) / (contact.a() * (k + 1));
-            add(2 * k + 2, A);
-        }
+    const std::vector<Ball> slope = contact.edge_slope(c.size());
+    for (std::size_t k = 0; k < slope.size(); ++k) {
+        add(static_cast<int>(2 * k), slope[k]);
     }
 }
 
-void EdgeStress::add_zone(const BallContact& zone, const Ball& at, const Ball& shear) {
+void EdgeStress::add_zone(const PlaneContact& zone, const Ball& at, const Ball& shear) {
     const Ball most = zone.force() / (at - zone.a() - radius_);
     const std::vector<Ball> a =
-        taylor_on_circle([&](const Box& z) { return cauchy_integral(zone, z + at).value; }, most,
+        taylor_on_circle([&](const Box& z) { return zone.cauchy_integral(z + at).value; }, most,
                          radius_, Rational(3, 4), (shear_.size() + 1) / 2);
     for (std::size_t k = 0; 2 * k < shear_.size(); ++k) {
         shear_[2 * k] += a[k] * shear; // first is 0: no zones under full stick

@@ -38,8 +38,8 @@ public:
     [[nodiscard]] std::vector<Ball> along(StressComponent component, const Exact& angle) const;
 
 private:
-    void add_contact(const BallContact& contact, const Ball& pressure, const Ball& shear);
-    void add_zone(const BallContact& zone, const Ball& at, const Ball& shear);
+    void add_contact(const PlaneContact& contact, const Ball& pressure, const Ball& shear);
+    void add_zone(const PlaneContact& zone, const Ball& at, const Ball& shear);
     void add_stick(const ShearLoad<Ball>& load, const Ball& length);
     /// The entry of the power j of s.
     [[nodiscard]] std::size_t entry(int j) const { return static_cast<std::size_t>(j - first_); }

@@ -333,7 +333,7 @@ private:
 
 std::optional<GreatestPlace> refined(const StressMeasure& F, GreatestPlace place) {
     if (place.kind == Kind::edge) {
-        const BallContact& contact = F.field().parts[place.part].contact;
+        const PlaneContact& contact = *F.field().parts[place.part].contact;
         place.x = place.edge == Edge::right ? contact.a() : -contact.b();
         place.z = zero_like(place.x);
         place.F = F.at_edge(place.part, place.edge);

@@ -49,7 +49,7 @@ StressState stress_of(const CauchyIntegral& p, const CauchyIntegral& q, const Bo
 StressField StressField::reflected() const {
     StressField r = *this;
     for (LoadPart& part : r.parts) {
-        part.contact = part.contact.mirrored();
+        part.contact = part.contact->mirror_image();
         part.shear = -part.shear;
     }
     return r;
@@ -65,8 +65,8 @@ SurfaceTension greatest_surface_tension(const StressField& field) {
     Ball shear(0, field.bits());
     for (std::size_t i = 0; i < turned.parts.size(); ++i) {
         const LoadPart& part = turned.parts[i];
-        shear += part.shear * (i == 0 ? cauchy_integral_at_edge(part.contact, Edge::right)
-                                      : cauchy_integral(part.contact, Box(a)).value.real());
+        shear += part.shear * (i == 0 ? part.contact->cauchy_integral_at(Edge::right)
+                                      : part.contact->cauchy_integral(Box(a)).value.real());
     }
     return {edge, field.bulk - shear * 2 / Ball::pi(field.bits())};
 }

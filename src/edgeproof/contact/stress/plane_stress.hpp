@@ -3,6 +3,7 @@
 #include "edgeproof/contact/stress/cauchy_integral.hpp"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -50,7 +51,7 @@ private:
 
 /// The pressure of a contact, or of a zone of its profile, as a part of the load on a body.
 struct LoadPart {
-    BallContact contact;
+    std::shared_ptr<const PlaneContact> contact;
     Ball pressure; ///< its factor in p
     Ball shear;    ///< its factor in the shear traction on the body
 };
@@ -70,7 +71,7 @@ struct StressField {
     bool untilted = false;
 
     [[nodiscard]] long bits() const { return bulk.bits(); }
-    [[nodiscard]] const BallContact& contact() const { return parts.front().contact; }
+    [[nodiscard]] const PlaneContact& contact() const { return *parts.front().contact; }
     /// The field of the mirror image.
     [[nodiscard]] StressField reflected() const;
 };

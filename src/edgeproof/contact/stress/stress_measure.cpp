@@ -13,7 +13,7 @@ Ball dot(const Box& x, const Box& y) { return x.real() * y.real() + x.imaginary(
 Ball square_of_size(const Box& x) { return square(x.real()) + square(x.imaginary()); }
 
 /// The distance of a box from the contact; 0 if they meet.
-Ball distance(const BallContact& contact, const Box& zeta) {
+Ball distance(const PlaneContact& contact, const Box& zeta) {
     const Ball x = zeta.real();
     const Ball zero(0, zeta.bits());
     const Ball across = max(zero, max(x - contact.a(), -contact.b() - x));
@@ -47,7 +47,7 @@ struct EdgeForm {
     Box cubic_rate; ///< the derivative of `cubic` by s^2
 };
 
-std::optional<EdgeForm> edge_form(const BallContact& contact, const Ball& radius) {
+std::optional<EdgeForm> edge_form(const PlaneContact& contact, const Ball& radius) {
     const long bits = radius.bits();
     const Ball pi = Ball::pi(bits);
     const Ball rho(Real(contact.reach(Edge::right).lower() / 2), bits);
@@ -58,25 +58,9 @@ std::optional<EdgeForm> edge_form(const BallContact& contact, const Ball& radius
     }
     const std::vector<Ball> c = contact.expansion(Edge::right, 2);
     const Ball most = contact.majorant(Edge::right, rho) * pi / rho; // |c_k| <= M/rho^k
-    const auto disc = [](const Ball& size) {
-        const Ball all = Ball::hull(-size, size);
-        return Box(all, all);
-    };
-    Box rate(bits);
-    if (contact.piecewise_linear()) {
-        const auto& marks = contact.knot_marks();
-        const auto beyond = std::ranges::find(marks, std::optional(Edge::right), &Mark<Ball>::end);
-        rate = Box(contact.slope().rate(static_cast<std::size_t>(beyond - marks.begin())) *
-                   contact.modulus() * pi / 2);
-    } else { // (m/a) T(a) (zeta/a)^(m-1), |zeta/a - 1| at most q
-        const Ball m = contact.power_law()->exponent;
-        const Ball q = radius / contact.a();
-        const Ball change = abs(m - 1) * q * max(pow(1 - q, m - 2), pow(1 + q, m - 2));
-        rate = (disc(change) + one) *
-               (cauchy_integral_at_edge(contact, Edge::right) * m / contact.a());
-    }
-    return EdgeForm{c[0] * pi, rate, disc(most * part / (1 - part)) + c[1] * pi,
-                    disc(most / rho / ((1 - part) * (1 - part)))};
+    return EdgeForm{c[0] * pi, contact.edge_slope_rate(radius),
+                    box_of_size(most * part / (1 - part)) + c[1] * pi,
+                    box_of_size(most / rho / ((1 - part) * (1 - part)))};
 }
 
 } // namespace
@@ -99,7 +83,7 @@ StressMeasure::StressMeasure(StressField field, const StressNorm& norm)
       bulk_(field_.bulk * Ball::pi(field_.bits()) / 2) {
     for (const LoadPart& part : field_.parts) {
         weights_.emplace_back(part.pressure, -part.shear);
-        forces_.push_back(part.contact.force());
+        forces_.push_back(part.contact->force());
     }
 }
 
@@ -145,8 +129,8 @@ StressMeasure::Sums StressMeasure::sums(const Box& zeta) const {
     Ball S = bulk_;
     for (std::size_t i = 0; i < weights_.size(); ++i) {
         const LoadPart& part = field_.parts[i];
-        CauchyBounds bounds = cauchy_bounds(part.contact, zeta);
-        const Ball d = distance(part.contact, zeta);
+        CauchyBounds bounds = part.contact->cauchy_bounds(zeta);
+        const Ball d = distance(*part.contact, zeta);
         const Ball most = forces_[i] / d;
         const Box T = within(bounds.value, most);
         const Box with_depth =
@@ -165,8 +149,8 @@ PlaneJet StressMeasure::jet(const Box& zeta) const {
     Ball S = bulk_;
     for (std::size_t i = 0; i < weights_.size(); ++i) {
         const LoadPart& part = field_.parts[i];
-        CauchyDerivatives t = cauchy_derivatives(part.contact, zeta);
-        const Ball d = distance(part.contact, zeta);
+        CauchyDerivatives t = part.contact->cauchy_derivatives(zeta);
+        const Ball d = distance(*part.contact, zeta);
         Ball most = forces_[i] / d; // |d^n T/dzeta^n| <= n! F/d^(n+1)
         for (std::size_t n = 0; n < t.size(); ++n) {
             t[n] = within(t[n], most);
@@ -232,12 +216,12 @@ StressMeasure StressMeasure::reflected() const {
 }
 
 StressMeasure::Sums StressMeasure::at_right_edge(std::size_t part) const {
-    const Box e(field_.parts[part].contact.a());
+    const Box e(field_.parts[part].contact->a());
     Sums sums{Box(bulk_), bulk_};
     for (std::size_t i = 0; i < field_.parts.size(); ++i) {
         const LoadPart& other = field_.parts[i];
-        const Box T = i == part ? Box(cauchy_integral_at_edge(other.contact, Edge::right))
-                                : cauchy_integral(other.contact, e).value;
+        const Box T = i == part ? Box(other.contact->cauchy_integral_at(Edge::right))
+                                : other.contact->cauchy_integral(e).value;
         sums.D = sums.D - T * other.shear;
         sums.S += T.imaginary() * other.pressure - T.real() * other.shear;
     }
@@ -251,7 +235,7 @@ bool StressMeasure::greatest_at_right_edge(std::size_t part, const Ball& radius)
     const LoadPart& own = field_.parts[part];
     const Ball& p = own.pressure;
     const Ball& t = own.shear;
-    const auto near = edge_form(own.contact, radius);
+    const auto near = edge_form(*own.contact, radius);
     if (!near) {
         return false;
     }
@@ -269,8 +253,8 @@ bool StressMeasure::greatest_at_right_edge(std::size_t part, const Ball& radius)
     for (std::size_t i = 0; i < field_.parts.size(); ++i) {
         if (i != part) {
             const LoadPart& other = field_.parts[i];
-            const Box around(own.contact.a() + Ball::hull(-radius, radius), from_zero_to(radius));
-            const Box rate = cauchy_derivatives(other.contact, around)[1];
+            const Box around(own.contact->a() + Ball::hull(-radius, radius), from_zero_to(radius));
+            const Box rate = other.contact->cauchy_derivatives(around)[1];
             others_G = others_G + rate * weights_[i];
             others_T = others_T + rate * other.shear;
         }

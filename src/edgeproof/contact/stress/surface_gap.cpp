@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/stress/surface_gap.hpp"
 
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"
-#include "edgeproof/contact/stress/cauchy_integral.hpp"
 
 #include <cstddef>
 
@@ -80,7 +80,7 @@ Ball power_law_gap(const BallContact& contact, const Ball& beyond) {
     const Ball arcosh = log1p(scaled + sqrt(scaled * (scaled + 2)));
     const Ball slope =
         growth / a * gamma(power / 2) / gamma(m / 2 + 1) / sqrt(pi) * pow(x / a, m); // E* C x^m
-    const Ball lift = cauchy_integral(contact, Box(x, Ball(0, bits))).value.real();
+    const Ball lift = contact.cauchy_integral(Box(x, Ball(0, bits))).value.real();
     return (slope * x - (growth * arcosh + x * lift) * 2 / pi) / power / contact.modulus();
 }
 
@@ -112,8 +112,8 @@ SurfacePotential of_power_law(const BallContact& contact, const Ball& x) {
     const Ball scaled = beyond / a;
     const Ball arcosh = log1p(scaled + sqrt(scaled * (scaled + 2)));
     const Mark<Ball> at = clamped_mark({a, a}, x);
-    const Box T = cauchy_integral(contact, Box(x, Ball(0, x.bits()))).value;
-    const Ball at_edge = cauchy_integral_at_edge(contact, Edge::right);
+    const Box T = contact.cauchy_integral(Box(x, Ball(0, x.bits()))).value;
+    const Ball at_edge = contact.cauchy_integral_at(Edge::right);
     return {(x * T.real() + growth * arcosh - a * at_edge) / power,
             (growth * at.h + x * T.imaginary()) / Ball::pi(x.bits()) / power};
 }
@@ -122,8 +122,7 @@ Ball lift_of_linear(const BallContact& contact, const Ball& x) {
     const Ball factor = Ball::pi(x.bits()) * contact.modulus() / 2;
     const Ball beyond = x - contact.a();
     const Ball rise = rise_of_profile(contact, positive_part(-beyond), positive_part(beyond));
-    return cauchy_integral_at_edge(contact, Edge::right) * beyond +
-           (rise - gap_at(contact, x)) * factor;
+    return contact.cauchy_integral_at(Edge::right) * beyond + (rise - contact.gap_at(x)) * factor;
 }
 
 /// The potential where x is known only to be within `slack` of an edge: the force carried decreases
@@ -139,50 +138,50 @@ SurfacePotential potential_about(const BallContact& contact, Edge edge, const Ba
         return {lift_of_linear(contact, x), Ball::hull(there, carried_by_linear(contact, inside))};
     }
     const Ball farthest = (contact.a() + slack) / contact.a();
-    const Ball most = cauchy_integral_at_edge(contact, Edge::right) *
+    const Ball most = contact.cauchy_integral_at(Edge::right) *
                       pow(farthest, contact.power_law()->exponent) * slack;
     return {Ball::hull(-most, most), Ball::hull(there, of_power_law(contact, inside).carried)};
 }
 
 } // namespace
 
-Ball gap_beyond(const BallContact& contact, Edge edge, const Ball& beyond) {
-    if (!contact.piecewise_linear()) {
-        return power_law_gap(contact, beyond);
+Ball BallContact::gap_beyond(Edge edge, const Ball& beyond) const {
+    if (!piecewise_linear()) {
+        return power_law_gap(*this, beyond);
     }
-    return edge == Edge::right ? linear_gap(contact, beyond)
-                               : linear_gap(contact.mirrored(), beyond);
+    return edge == Edge::right ? linear_gap(*this, beyond) : linear_gap(mirrored(), beyond);
 }
 
-Ball gap_at(const BallContact& contact, const Ball& x) {
-    const Ball right = x - contact.a();
-    const Ball left = -x - contact.b();
+Ball PlaneContact::gap_at(const Ball& x) const {
+    const Ball right = x - a_;
+    const Ball left = -x - b_;
     if (certainly_negative(right) && certainly_negative(left)) {
         return {0, x.bits()};
     }
     const Edge edge = certainly_negative(right) ? Edge::left : Edge::right;
     const Ball& beyond = edge == Edge::left ? left : right;
     if (!contains_zero(beyond)) {
-        return gap_beyond(contact, edge, beyond);
+        return gap_beyond(edge, beyond);
     }
     // The gap grows outwards from 0: h' = W(x)/pi times the integral of the divided difference of
     // g' over 1/w, and g' does not decrease.
     const Ball most = upper_end(beyond);
     const Ball zero(0, x.bits());
-    return certainly_positive(most) ? Ball::hull(zero, gap_beyond(contact, edge, most)) : zero;
+    return certainly_positive(most) ? Ball::hull(zero, gap_beyond(edge, most)) : zero;
 }
 
-SurfacePotential surface_potential(const BallContact& contact, const Ball& x) {
+SurfacePotential BallContact::surface_potential(const Ball& x,
+                                                const std::optional<Exact>& /*known*/) const {
     for (const Edge edge : {Edge::right, Edge::left}) {
-        const Ball inwards = edge == Edge::right ? contact.a() - x : contact.b() + x;
+        const Ball inwards = edge == Edge::right ? a_ - x : b_ + x;
         if (contains_zero(inwards) && arb_is_exact(inwards.data()) == 0) {
-            return potential_about(contact, edge, x, upper_end(abs(inwards)));
+            return potential_about(*this, edge, x, upper_end(abs(inwards)));
         }
     }
-    if (!contact.piecewise_linear()) {
-        return of_power_law(contact, x);
+    if (!piecewise_linear()) {
+        return of_power_law(*this, x);
     }
-    return {lift_of_linear(contact, x), carried_by_linear(contact, x)};
+    return {lift_of_linear(*this, x), carried_by_linear(*this, x)};
 }
 
 // The traction is (Q/pi + sigma_0 (x - c)/4)/w (docs/partial-slip.md).

@@ -244,7 +244,7 @@ std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
             "revolution",
             "leave tolerance out"};
     }
-    if (!group.closed_form) {
+    if (!group.of_bodies) {
         return {};
     }
     if (scene.round && group.group == QuantityGroup::displacement) {
@@ -259,17 +259,6 @@ std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
         return scene.poisson(Body::A)
                    ? std::nullopt
                    : std::optional(Lack{problem + "Poisson's ratio", "add nu = \"0.3\" to [load]"});
-    }
-    const bool integrated = group.group == QuantityGroup::stress; // by rigorous integration
-    if (!integrated && scene.profile && !scene.profile->has_closed_form()) {
-        return Lack{std::string(group.name) + " is not computed for curved slopes",
-                    "give a power law or a piecewise linear g'"};
-    }
-    if (!integrated && scene.slips() && scene.shear->bulk_tension.sign() != 0 && scene.profile &&
-        !scene.profile->piecewise_linear()) {
-        return Lack{std::string(group.name) +
-                        " is not computed for a power law with partial slip under a bulk tension",
-                    "leave bulk_tension or friction out, or give a piecewise linear g'"};
     }
     return {};
 }

@@ -238,7 +238,7 @@ struct GroupRow {
     bool friction = false;
     bool terms = false;
     bool tolerance = false;
-    bool closed_form = false;         ///< only contacts with a closed form have it
+    bool of_bodies = false;           ///< its values belong to a place of a body
     std::string_view incomplete = {}; ///< the message if terms or tolerance are not given
     std::string_view instead = {};
 };

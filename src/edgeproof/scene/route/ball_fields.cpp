@@ -2,6 +2,7 @@
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"
+#include "edgeproof/contact/stress/cauchy_integral.hpp"
 #include "edgeproof/contact/stress/surface_gap.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/route/ball_level.hpp"
@@ -32,15 +33,10 @@ Compliances compliances_of(const Scene& scene, Body body, long bits) {
 
 const contact::TractionParts* BallLevel::traction_parts() {
     if (!traction_parts_ && slip() != nullptr && slip()->admissible()) {
-        traction_parts_.emplace(*slip(), *contact_, tilt_ ? tilt_->near : *scene_.profile,
+        traction_parts_.emplace(*slip(), plane(), tilt_ ? tilt_->near : *scene_.profile,
                                 scene_.contact_modulus, scene_.shear->bulk_tension.sign() != 0);
     }
     return traction_parts_ ? &*traction_parts_ : nullptr;
-}
-
-const std::vector<BallContact>* BallLevel::part_contacts() {
-    const contact::TractionParts* const parts = traction_parts();
-    return parts == nullptr ? nullptr : parts->closed();
 }
 
 // docs/stress.md, "The Cauchy integrals of q"
@@ -75,9 +71,10 @@ Ball BallLevel::bulk_stress(Body body) const {
 }
 
 std::optional<contact::StressField> BallLevel::stress_field(Body body) {
-    const BallContact& whole = *contact_->closed_form();
-    contact::StressField field{.parts = {{whole, Ball(1, bits_), Ball(0, bits_)}},
-                               .bulk = bulk_stress(body)};
+    contact::StressField field{
+        .parts = {{std::dynamic_pointer_cast<const contact::PlaneContact>(contact_), Ball(1, bits_),
+                   Ball(0, bits_)}},
+        .bulk = bulk_stress(body)};
     field.mirrored = scene_.symmetric();
     if (!scene_.slips() && !scene_.together()) {
         return field;
@@ -93,13 +90,13 @@ std::optional<contact::StressField> BallLevel::stress_field(Body body) {
         field.parts.front().shear = shear_ratio() * side;
         return field;
     }
-    const auto* const zones = part_contacts();
-    if (zones == nullptr) {
+    const contact::TractionParts* const parts = traction_parts();
+    if (parts == nullptr) {
         return {};
     }
-    field.parts.front().shear = slip()->whole_ratio() * side;
-    for (std::size_t i = 0; i < zones->size(); ++i) {
-        field.parts.push_back({(*zones)[i], Ball(0, bits_), slip()->parts()[i].ratio * side});
+    field.parts.front().shear = parts->whole_ratio * side;
+    for (const auto& [zone, ratio] : parts->parts) {
+        field.parts.push_back({zone, Ball(0, bits_), ratio * side});
     }
     return field;
 }
@@ -122,7 +119,7 @@ const contact::StressState& BallLevel::stress(const AskedValue& at) {
         return last_stress_->second;
     }
     const Box zeta(ball_of(point.x, bits_), ball_of(point.z, bits_));
-    contact::CauchyIntegral p = contact::pressure_integral(*contact_, zeta, point.x);
+    contact::CauchyIntegral p = plane().cauchy_integral(zeta, point.x);
     contact::CauchyIntegral q = shear_integral(p, point.x, zeta);
     const bool tension = scene_.shear && scene_.shear->bulk_tension.sign() != 0;
     if (point.x.sign() == 0 && scene_.symmetric() && !tension) {
@@ -159,18 +156,17 @@ Ball BallLevel::gap(const AskedValue& at) {
 }
 
 Ball BallLevel::gap_beyond(const Ball& x, Edge edge, const Ball& beyond) const {
-    const BallContact* const form = contact_->closed_form();
-    if (scene_.round) {
-        require(!scene_.curved_body() ||
-                    monotonicity_of_slope(*scene_.profile, abs(x), abs(x)).kind ==
-                        contact::SlopeMonotonicity::Kind::rises,
-                "g' is not proved not to decrease up to the place, so that the gap is "
-                "not computed",
-                "give a place nearer to the contact");
-        return form != nullptr ? axisymmetric_gap(*form, beyond)
-                               : of_revolution().gap_beyond(beyond);
+    const Ball right = scene_.round ? abs(x) : max(x, a());
+    const Ball left = scene_.round ? abs(x) : max(-x, b());
+    require(scene_.closed() || monotonicity_of_slope(*scene_.profile, right, left).kind ==
+                                   contact::SlopeMonotonicity::Kind::rises,
+            "g' is not proved not to decrease up to the place, so that the gap is not computed",
+            "give a place nearer to the contact");
+    if (!scene_.round) {
+        return plane().gap_beyond(edge, beyond);
     }
-    return contact::gap_beyond(*form, edge, beyond);
+    const BallContact* const form = contact_->closed_form();
+    return form != nullptr ? axisymmetric_gap(*form, beyond) : of_revolution().gap_beyond(beyond);
 }
 
 const std::vector<BallLevel::SlipSince>* BallLevel::slip_since_contact() {
@@ -189,9 +185,9 @@ const std::vector<BallLevel::SlipSince>* BallLevel::slip_since_contact() {
                 for (std::size_t j = 0; j + 1 < entry.change->size(); ++j) {
                     const LoadHistory::Layer& layer = (*entry.change)[j];
                     const contact::BallZone zone = zone_of(layer.force);
-                    parts.push_back(
-                        {ball_of(layer.ratio, bits_) - ball_of((*entry.change)[j + 1].ratio, bits_),
-                         contact_->closed_form()->between(zone.a, zone.b)});
+                    parts.push_back({plane().zone(zone.a, zone.b),
+                                     ball_of(layer.ratio, bits_) -
+                                         ball_of((*entry.change)[j + 1].ratio, bits_)});
                 }
             }
         } catch (const BudgetError&) {
@@ -217,8 +213,8 @@ Ball BallLevel::slip_after_history(const Ball& x) {
                                  "ask for places that were in contact before P and Q grew");
             }
             Ball sum(0, bits_);
-            for (const auto& [ratio, contact] : *parts) {
-                sum += ratio * gap_at(contact, x);
+            for (const auto& [contact, ratio] : *parts) {
+                sum += ratio * contact->gap_at(x);
             }
             return sum;
         }
@@ -244,9 +240,9 @@ Ball BallLevel::slip_displacement(const AskedValue& at) {
     if (scene_.history) {
         return slip_after_history(x);
     }
-    const auto* const zones = part_contacts();
-    return zones == nullptr ? not_known()
-                            : slip()->parts().front().ratio * gap_at(zones->front(), x);
+    const contact::TractionParts* const parts = traction_parts();
+    return parts == nullptr ? not_known()
+                            : parts->parts.front().ratio * parts->parts.front().zone->gap_at(x);
 }
 
 // docs/axisymmetric.md, "The slip"
@@ -372,7 +368,8 @@ Ball BallLevel::round_cycle_energy(const BallSlip& slip) const {
 }
 
 contact::SurfacePotential BallLevel::shear_potential(const contact::SurfacePotential& p,
-                                                     const Ball& x) {
+                                                     const Ball& x,
+                                                     const std::optional<Exact>& known) {
     if (!scene_.shear) {
         return p * Ball(0, bits_);
     }
@@ -382,15 +379,9 @@ contact::SurfacePotential BallLevel::shear_potential(const contact::SurfacePoten
     if (!scene_.slips()) {
         return surface_potential(contact::Extent<Ball>{a(), b()}, load(), x);
     }
-    const auto* const zones = part_contacts();
-    if (zones == nullptr) {
-        return {not_known(), not_known()};
-    }
-    contact::SurfacePotential sum = p * slip()->whole_ratio();
-    for (std::size_t i = 0; i < zones->size(); ++i) {
-        sum = sum + surface_potential((*zones)[i], x) * slip()->parts()[i].ratio;
-    }
-    return sum;
+    const contact::TractionParts* const parts = traction_parts();
+    return parts == nullptr ? contact::SurfacePotential{not_known(), not_known()}
+                            : parts->potential(p, x, known);
 }
 
 // docs/stress.md, "The displacements"
@@ -400,11 +391,14 @@ BallLevel::Potentials BallLevel::potentials(const AskedValue& at) {
     };
     const Ball x = place(*at.place);
     const Ball from = place(*at.reference);
-    const BallContact& form = *contact_->closed_form();
-    const contact::SurfacePotential p = surface_potential(form, x);
-    const contact::SurfacePotential p_from = surface_potential(form, from);
+    const auto known = known_x(Edge::right, *at.place);
+    const auto known_from = known_x(Edge::right, *at.reference);
+    const contact::SurfacePotential p = plane().surface_potential(x, known);
+    const contact::SurfacePotential p_from = plane().surface_potential(from, known_from);
     const Ball side(at.in_body->body == Body::A ? 1 : -1, bits_); // B carries -q
-    return {p - p_from, (shear_potential(p, x) - shear_potential(p_from, from)) * side, x - from};
+    return {p - p_from,
+            (shear_potential(p, x, known) - shear_potential(p_from, from, known_from)) * side,
+            x - from};
 }
 
 // johnson1985, eqs. 2.25a and 2.25b, integrated; the bulk stress strains the surface evenly.
@@ -423,8 +417,8 @@ Ball BallLevel::uz(const AskedValue& at) {
 
 Ball BallLevel::surface_slope(const AskedValue& at) {
     const Box zeta(at.place->x_enclosure(a(), b(), bits_), Ball(0, bits_));
-    const std::optional<Exact>& x = at.place->x();
-    const contact::CauchyIntegral p = contact::pressure_integral(*contact_, zeta, x);
+    const std::optional<Exact> x = known_x(Edge::right, *at.place);
+    const contact::CauchyIntegral p = plane().cauchy_integral(zeta, x);
     const contact::CauchyIntegral q = shear_integral(p, x, zeta);
     const Compliances body = compliances_of(scene_, at.in_body->body, bits_);
     const Ball side(at.in_body->body == Body::A ? 1 : -1, bits_);
@@ -436,7 +430,8 @@ Ball BallLevel::surface_slope(const AskedValue& at) {
 Ball BallLevel::dissipation(const AskedValue& at) {
     const Ball slipped = abs(slip_displacement(at));
     const Box zeta(at.place->x_enclosure(a(), b(), bits_), Ball(0, bits_));
-    const contact::CauchyIntegral p = contact::pressure_integral(*contact_, zeta, at.place->x());
+    const contact::CauchyIntegral p =
+        plane().cauchy_integral(zeta, known_x(Edge::right, *at.place));
     return -(ball_of(*scene_.shear->friction, bits_) * p.value.imaginary() * slipped) * 4 /
            Ball::pi(bits_);
 }

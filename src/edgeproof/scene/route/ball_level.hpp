@@ -84,14 +84,15 @@ public:
         if (scene.punch) {
             tilt_ = enclose_tilt(*scene.punch, scene.contact_modulus, scene.load.value,
                                  *scene.moment, bits);
-            contact_ = tilt_->exactly_zero
-                           ? std::make_unique<BallContact>(tilt_->near, scene.contact_modulus,
-                                                           scene.load, bits)
-                           : std::make_unique<BallContact>(tilt_->near, tilt_->alpha,
-                                                           scene.contact_modulus, scene.load, bits);
-        } else if (edges && scene.profile->has_closed_form()) {
             contact_ =
-                std::make_unique<BallContact>(*scene.profile, scene.contact_modulus, *edges, bits);
+                tilt_->exactly_zero
+                    ? std::make_shared<const BallContact>(tilt_->near, scene.contact_modulus,
+                                                          scene.load, bits)
+                    : std::make_shared<const BallContact>(tilt_->near, tilt_->alpha,
+                                                          scene.contact_modulus, scene.load, bits);
+        } else if (edges && scene.profile->has_closed_form()) {
+            contact_ = std::make_shared<const BallContact>(*scene.profile, scene.contact_modulus,
+                                                           *edges, bits);
         } else {
             contact_ =
                 contact::proved_contact(*scene.profile, scene.contact_modulus, scene.load, bits);
@@ -232,8 +233,7 @@ public:
     /// 1 - (the sum of n terms)/p, or the same for q. If that cancels completely, the error is
     /// computed from the omitted terms.
     [[nodiscard]] Ball relative_error(Edge edge, const Distance& u, std::size_t n, bool shear);
-    // Values at a point of a body, and at a place x of the surface (ball_fields.cpp), of contacts
-    // with a closed form.
+    // Values at a point of a body, and at a place x of the surface (ball_fields.cpp).
     [[nodiscard]] Ball sxx(const AskedValue& at) { return stress(at).sxx; }
     [[nodiscard]] Ball szz(const AskedValue& at) { return stress(at).szz; }
     [[nodiscard]] Ball sxz(const AskedValue& at) { return stress(at).sxz; }
@@ -291,7 +291,8 @@ private:
     };
     [[nodiscard]] Potentials potentials(const AskedValue& at);
     [[nodiscard]] contact::SurfacePotential shear_potential(const contact::SurfacePotential& p,
-                                                            const Ball& x);
+                                                            const Ball& x,
+                                                            const std::optional<Exact>& known);
     [[nodiscard]] Ball poisson(const AskedValue& at) const {
         return ball_of(*scene_.poisson(at.in_body->body), bits_);
     }
@@ -301,15 +302,12 @@ private:
                                                          const Box& zeta);
     /// The parts of q; null if these bits do not isolate them, or if the contact slides.
     [[nodiscard]] const contact::TractionParts* traction_parts();
-    /// The zones of the parts of q as contacts, with the tilt of the corrective problem; null if
-    /// these bits do not isolate them, or if they have no closed forms.
-    [[nodiscard]] const std::vector<BallContact>* part_contacts();
     /// The slip of the places inside a zone, and outside that of the entry before, since they came
     /// into contact: the sum of the ratios times the gaps of the contacts. Without parts it is not
     /// computed.
     struct SlipSince {
         contact::BallZone zone;
-        std::optional<std::vector<std::pair<Ball, BallContact>>> parts;
+        std::optional<std::vector<contact::TractionParts::Part>> parts;
     };
     /// The entries of a load history; null if these bits do not isolate their zones.
     [[nodiscard]] const std::vector<SlipSince>* slip_since_contact();
@@ -329,6 +327,9 @@ private:
     /// first case q = (Q/pi +- sigma_0 (L - 2u)/8)/sqrt(u (L - u)), and the coefficients of (1 -
     /// u/L)^(-1/2) lie between 0 and 1.
     [[nodiscard]] BoundedSeries q_series(Edge edge);
+    [[nodiscard]] const contact::PlaneContact& plane() const {
+        return dynamic_cast<const contact::PlaneContact&>(*contact_);
+    }
     /// The contact of an axisymmetric scene whose profile is no power law.
     [[nodiscard]] const contact::AxisymmetricContact& of_revolution() const {
         return dynamic_cast<const contact::AxisymmetricContact&>(*contact_);
@@ -361,7 +362,7 @@ private:
     long bits_;
     std::size_t terms_;
     std::optional<contact::EnclosedTilt> tilt_;
-    std::unique_ptr<ProvedContact> contact_;
+    std::shared_ptr<const ProvedContact> contact_;
     bool slip_tried_ = false;
     std::unique_ptr<contact::ZoneSolver> zones_;
     std::optional<BallSlip> slip_;

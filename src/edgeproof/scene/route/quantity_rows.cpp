@@ -197,6 +197,13 @@ constexpr Made of_stick(Quantity quantity, std::string_view symbol, std::string_
 const char* way_of_integral(const Scene& s) {
     return s.curved_body() ? "rigorous integration" : "closed-form";
 }
+/// The route of values along the surface.
+const char* way_of_surface(const Scene& s) {
+    const bool tilted = s.slips() && s.shear->bulk_tension.sign() != 0;
+    return s.round || !s.closed() || (tilted && s.profile && !s.profile->piecewise_linear())
+               ? "rigorous integration"
+               : "closed-form";
+}
 const char* way_of_stress(const Scene& s) {
     const bool integrated = !s.closed() || (s.round && !s.round->law);
     return integrated  ? "rigorous integration"
@@ -217,13 +224,13 @@ template <auto ball> constexpr Made on_surface(Quantity quantity, std::string_vi
     return value<Def::Place::surface, ball, nullptr>(quantity, "", name, Group::displacement,
                                                      units::length)
         .labelled(name)
-        .by([](const Scene& s) { return s.round ? "rigorous integration" : "closed-form"; });
+        .by(way_of_surface);
 }
 template <auto ball>
 constexpr Made of_surface(Quantity quantity, std::string_view name, Unit unit) {
     return value<Def::Place::surface, ball, nullptr>(quantity, "", name, Group::surface, unit)
         .labelled(name)
-        .by("closed-form");
+        .by(way_of_surface);
 }
 
 /// The rows are in the order of Quantity.
@@ -394,9 +401,9 @@ constexpr std::array group_table{
     GroupRow{.group = QuantityGroup::slip, .name = "slip", .friction = true},
     GroupRow{.group = QuantityGroup::contact, .name = "contact"},
     GroupRow{.group = QuantityGroup::peak, .name = "peak"},
-    GroupRow{.group = QuantityGroup::stress, .name = "stress", .closed_form = true},
-    GroupRow{.group = QuantityGroup::displacement, .name = "displacement", .closed_form = true},
-    GroupRow{.group = QuantityGroup::surface, .name = "surface", .closed_form = true},
+    GroupRow{.group = QuantityGroup::stress, .name = "stress", .of_bodies = true},
+    GroupRow{.group = QuantityGroup::displacement, .name = "displacement", .of_bodies = true},
+    GroupRow{.group = QuantityGroup::surface, .name = "surface", .of_bodies = true},
 };
 
 template <class Table> consteval bool is_in_order(const Table& table, auto key) {

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The Cauchy integral of the pressure over a curved slope, at points and over boxes
+// (docs/stress.md, "Curved slopes").
+#include "edgeproof/contact/curved/integrated_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/fields.hpp"
+#include "edgeproof/contact/stress/cauchy_integral.hpp"
+#include "edgeproof/formula/evaluation/complex_taylor.hpp"
+#include "edgeproof/precision/ball/acb_values.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace edgeproof::contact {
+namespace {
+
+constexpr long cells_of_a_piece = 48;  ///< on which T is bounded where it is not smooth
+constexpr std::size_t far_terms = 24;  ///< of the Taylor series that serve many boxes
+constexpr long bits_of_searches = 128; ///< with more bits a place has a series of its own
+constexpr std::size_t few_terms = 6;   ///< of such a series
+constexpr long accuracy_of_searches = 48;
+
+Box unknown_number(long bits) { return {unknown_ball(bits), unknown_ball(bits)}; }
+CauchyDerivatives unknown_derivatives(long bits) {
+    const Box x = unknown_number(bits);
+    return {x, x, x, x};
+}
+
+Box coefficient_of(const AcbPolyValue& p, std::size_t k, long bits) {
+    Box c(bits);
+    acb_poly_get_coeff_acb(c.get(), p, static_cast<slong>(k));
+    return c;
+}
+void set_coefficient(AcbPolyValue& p, std::size_t k, const Box& c) {
+    acb_poly_set_coeff_acb(p, static_cast<slong>(k), c.get());
+}
+
+/// sqrt(c + rate t) in powers of t.
+void root_series(AcbPolyValue& p, const Box& c, long rate, std::size_t terms) {
+    set_coefficient(p, 0, c);
+    acb_poly_set_coeff_si(p, 1, rate);
+    acb_poly_sqrt_series(p, p, static_cast<slong>(terms), c.bits());
+}
+
+/// k! times the coefficients 0 ... 3.
+CauchyDerivatives derivatives_of(const AcbPolyValue& p, long bits) {
+    CauchyDerivatives d;
+    long factorial = 1;
+    for (std::size_t k = 0; k < d.size(); ++k) {
+        factorial *= std::max(1L, static_cast<long>(k));
+        d.at(k) = coefficient_of(p, k, bits) * Ball(factorial, bits);
+    }
+    return d;
+}
+
+/// The real and imaginary parts of (g'(s) - mean)/(zeta - s)^(k + 1), k = 0, 1, ... On a box that
+/// is symmetric about the real axis each part extends to a holomorphic function of at most the size
+/// of the quotient.
+class PoleIntegrand : public quadrature::ThetaIntegrand {
+public:
+    PoleIntegrand(const SlopeOverTheta& integral, const Box& zeta, const Ball& mean,
+                  std::size_t terms, long bits)
+        : integral_(integral), zeta_(zeta), mean_(mean), terms_(terms), bits_(bits) {}
+    [[nodiscard]] std::size_t count() const override { return 2 * terms_; }
+    bool bound(const quadrature::ThetaPlace& at, std::vector<Magnitude>& most) const override {
+        const Magnitude least = Magnitude::least((zeta_ - Box(at.s, bits_)).get());
+        if (least.is_zero()) {
+            return false;
+        }
+        Magnitude size(change(at).get());
+        if (!size.is_finite()) {
+            if (arb_is_zero(acb_imagref(at.t)) == 0) {
+                return false;
+            }
+            size = integral_.most_change;
+        }
+        for (std::size_t k = 0; k < terms_; ++k) {
+            size = size / least;
+            most[2 * k] = most[2 * k + 1] = size;
+        }
+        return true;
+    }
+    void value(const quadrature::ThetaPlace& at, std::vector<Ball>& f) const override {
+        const Box inverse = Box(Ball(1, bits_)) / (zeta_ - Box(at.s, bits_));
+        Box all = change(at);
+        for (std::size_t k = 0; k < terms_; ++k) {
+            all = all * inverse;
+            f[2 * k] = all.real();
+            f[2 * k + 1] = all.imaginary();
+        }
+    }
+
+private:
+    [[nodiscard]] Box change(const quadrature::ThetaPlace& at) const {
+        const bool root = at.span.root != 0;
+        return slope_over(integral_.formulas[at.span.formula], Box(root ? at.t : at.s, bits_)) -
+               mean_;
+    }
+
+    const SlopeOverTheta& integral_;
+    const Box& zeta_;
+    const Ball& mean_;
+    std::size_t terms_;
+    long bits_;
+};
+
+/// A lower bound of the distance of a place from the contact.
+Ball distance_from(const Ball& a, const Ball& b, const Box& zeta) {
+    const Ball zero(0, zeta.bits());
+    const Ball across = max(zero, max(zeta.real() - a, -b - zeta.real()));
+    return lower_end(hypot(across, zeta.imaginary()));
+}
+
+} // namespace
+
+const IntegratedContact::Bounding& IntegratedContact::bounding() const {
+    if (!bounding_) {
+        auto made = std::make_shared<Bounding>();
+        made->mean = mean_slope();
+        made->force = force();
+        made->steepest = steepest_rise(profile_, a_, b_).with_bits(bits_);
+        const Ball centre = (a_ - b_) / 2;
+        const Ball half = (a_ + b_) / 2;
+        for (const quadrature::ThetaSpan& span : piece_spans(a_, b_)) {
+            for (long i = made->nodes.empty() ? 0 : 1; i <= cells_of_a_piece; ++i) {
+                const Ball theta = span.from + (span.to - span.from) * i / cells_of_a_piece;
+                // g' does not decrease: between two nodes it lies between its values there
+                const Ball s = max(min(centre + half * cos(theta), a_), -b_);
+                made->nodes.push_back({theta, s, series_of_slope(span.piece, s, 1)[0]});
+            }
+        }
+        bounding_ = std::move(made);
+    }
+    return *bounding_;
+}
+
+Ball IntegratedContact::mean_slope() const {
+    return zone_ ? slope_integral(a_, b_, 0) / Ball::pi(bits_) : Ball(0, bits_);
+}
+
+CauchyIntegral IntegratedContact::cauchy_integral(const Box& zeta,
+                                                  const std::optional<Exact>& known_x) const {
+    const Ball pi = Ball::pi(bits_);
+    const Ball factor = modulus_ / 2;
+    const Ball mean = mean_slope();
+    const Ball x = zeta.real();
+    const bool surface = arb_is_zero(zeta.imaginary().data()) != 0;
+    if (surface && !certainly_less(a_, x) && !certainly_less(x, -b_)) {
+        const Box unknown = unknown_number(bits_);
+        for (const Edge edge : {Edge::right, Edge::left}) {
+            const Ball off = edge == Edge::right ? a_ - x : x + b_;
+            if (contains_zero(off)) { // W I/pi is at most the greatest pressure near the edge
+                const auto piece = edge_piece(edge);
+                const Disk* const disk = piece ? disk_at_edge(edge) : nullptr;
+                if (disk == nullptr || !disk->disk.found() ||
+                    !certainly_less(abs(off), disk->disk.radius())) {
+                    return {unknown, unknown};
+                }
+                const Ball slope = series_of_slope(*piece, x, 1)[0] - mean;
+                const Ball W = sqrt(upper_end(abs(off)) * (length() + abs(off)));
+                return {(Box(slope * pi) + box_of_size(W * disk->disk.bound())) * factor, unknown};
+            }
+        }
+        const auto knot = knot_at(known_x);
+        const auto piece = knot ? knot : piece_of(x);
+        if (!piece) {
+            return {unknown, unknown};
+        }
+        const Ball slope = series_of_slope(*piece, x, 1)[0] - mean;
+        const Ball p = zone_pressure(Edge::right, a_ - x, known_x);
+        return {Box(slope * pi * factor, -pi * p), unknown};
+    }
+    const Box root = root_outside({a_, b_}, zeta);
+    const auto with_poles = [&](std::size_t poles) {
+        return over_spans(a_, b_, [&](const SlopeOnSpan& on, const Box& t, const Box& s) {
+            return on.over_distance(zeta, mean, poles, t, s);
+        });
+    };
+    const Box once = with_poles(1);
+    const Box twice = surface ? once : with_poles(2); // not used there
+    return {root * once * factor, ((zeta - (a_ - b_) / 2) / root * once - root * twice) * factor};
+}
+
+std::vector<Ball> IntegratedContact::edge_slope(std::size_t terms) const {
+    const auto piece = edge_piece(Edge::right);
+    if (!piece) {
+        return std::vector<Ball>(terms, unknown_ball(bits_));
+    }
+    std::vector<Ball> E = series_of_slope(*piece, a_, terms);
+    E[0] -= mean_slope();
+    for (Ball& x : E) {
+        x *= modulus_ * Ball::pi(bits_) / 2;
+    }
+    return E;
+}
+
+// A mean of the derivative over the way from the edge.
+Box IntegratedContact::edge_slope_rate(const Ball& radius) const {
+    const auto piece = edge_piece(Edge::right);
+    if (!piece) {
+        return unknown_number(bits_);
+    }
+    AcbPolyValue g;
+    const Box around = box_of_size(radius) + a_;
+    complex_taylor(g, profile_.pieces()[*piece].slope, around.get(), 2, bits_);
+    return coefficient_of(g, 1, bits_) * (modulus_ * Ball::pi(bits_) / 2);
+}
+
+// Off the contact: T = (E*/2) W M, where M has the coefficients (-1)^k times the integral of
+// (g' - mean)/(zeta - s)^(k + 1) over theta. |T^(k)|/k! is at most P/d^(k + 1) at the distance d,
+// which bounds the omitted terms.
+IntegratedContact::Around
+IntegratedContact::series_off_contact(const Box& centre, std::size_t terms, long accuracy) const {
+    Around made{centre, distance_from(a_, b_, centre), {}};
+    const SlopeOverTheta& all = over_theta();
+    const PoleIntegrand integrand(all, centre, bounding().mean, terms, bits_);
+    quadrature::ThetaGoal goal{(all.most_change * Magnitude(power_of_two(-accuracy, 64))) /
+                                   Magnitude::least(made.distance),
+                               {},
+                               static_cast<std::size_t>(accuracy / 4 + 8),
+                               2 * static_cast<int>(bits_)};
+    Magnitude scale(Ball(1, 64));
+    for (std::size_t k = 0; k < terms; ++k) {
+        goal.scale.insert(goal.scale.end(), 2, scale);
+        scale = scale * Magnitude(made.distance);
+    }
+    const std::vector<Ball> parts =
+        integrate_cells(integrand, all.spans, all.centre, all.half_length, goal, bits_);
+    AcbPolyValue M;
+    for (std::size_t k = 0; k < terms; ++k) {
+        const Box m(parts[2 * k], parts[2 * k + 1]);
+        set_coefficient(M, k, k % 2 == 0 ? m : -m);
+    }
+    AcbPolyValue right;
+    AcbPolyValue left;
+    const auto length = static_cast<slong>(terms);
+    root_series(right, centre - a_, 1, terms);
+    root_series(left, centre + b_, 1, terms);
+    acb_poly_mullow(M, M, right, length, bits_);
+    acb_poly_mullow(M, M, left, length, bits_);
+    for (std::size_t k = 0; k < terms; ++k) {
+        made.T.push_back(coefficient_of(M, k, bits_) * (modulus_ / 2));
+    }
+    return made;
+}
+
+CauchyDerivatives IntegratedContact::off_contact(const Around& series, const Box& zeta) const {
+    const Box z = zeta - series.centre;
+    const Ball part = upper_end(abs(z)) / series.distance;
+    const auto n = static_cast<long>(series.T.size());
+    const Ball force = abs(bounding().force);
+    CauchyDerivatives d;
+    Ball factorial(1, bits_);
+    for (long k = 0; k < 4; ++k) {
+        factorial *= std::max(1L, k);
+        Box sum(bits_);
+        for (long j = n; j-- > k;) {
+            Ball binomial(1, bits_);
+            arb_bin_uiui(binomial.data(), static_cast<ulong>(j), static_cast<ulong>(k), bits_);
+            sum = sum * z + series.T[static_cast<std::size_t>(j)] * binomial;
+        }
+        // each omitted term is at most this multiple of the one before it
+        const Ball less = 1 - part * (n + 1) / (n + 1 - k);
+        Ball rest(0, bits_);
+        if (!contains_zero(part) || !part.is_exact()) {
+            arb_bin_uiui(rest.data(), static_cast<ulong>(n), static_cast<ulong>(k), bits_);
+            rest = certainly_positive(less) ? rest * force * pow_int(part, n - k) /
+                                                  pow_int(series.distance, k + 1) / less
+                                            : unknown_ball(bits_);
+        }
+        d.at(static_cast<std::size_t>(k)) = (sum + box_of_size(rest)) * factorial;
+    }
+    return d;
+}
+
+// Next to the contact: T = (E*/2)(pi (g' - mean) - W I), W = i sqrt((a - zeta)(zeta + b)), with
+// the power series of I about a place of the contact.
+CauchyDerivatives IntegratedContact::near_contact(const Box& zeta) const {
+    constexpr std::size_t order = 4;
+    const Ball right = a_ - zeta.real();
+    const Ball left = zeta.real() + b_;
+    if (!certainly_positive(right) || !certainly_positive(left)) {
+        return unknown_derivatives(bits_);
+    }
+    const Ball height = up_to(zeta.imaginary());
+    const Ball u = right + height; // the disk is as high as it is wide
+    const Ball x = zeta.real() + height;
+    const auto piece = piece_of(x);
+    const Disk* const disk = piece ? disk_for(Edge::right, u, order) : nullptr;
+    if (disk == nullptr) {
+        return unknown_derivatives(bits_);
+    }
+    AcbPolyValue T;
+    AcbPolyValue root;
+    AcbPolyValue other;
+    AcbPolyValue I;
+    const std::vector<Box> c = disk->disk.at(zeta - (a_ - disk->u), order);
+    for (std::size_t k = 0; k < order; ++k) {
+        set_coefficient(I, k, c[k]);
+    }
+    root_series(root, a_ - zeta, -1, order);
+    root_series(other, zeta + b_, 1, order);
+    acb_poly_mullow(root, root, other, order, bits_);
+    acb_poly_mullow(root, root, I, order, bits_);
+    complex_taylor(T, profile_.pieces()[*piece].slope, zeta.get(), order, bits_);
+    const Box slope = coefficient_of(T, 0, bits_) - bounding().mean;
+    set_coefficient(T, 0, slope);
+    const Box turned(Ball(0, bits_), Ball(-1, bits_));
+    acb_poly_scalar_mul(root, root, turned.get(), bits_);
+    acb_poly_scalar_mul(T, T, Box(Ball::pi(bits_)).get(), bits_);
+    acb_poly_add(T, T, root, bits_);
+    acb_poly_scalar_mul(T, T, Box(modulus_ / 2).get(), bits_);
+    return derivatives_of(T, bits_);
+}
+
+CauchyDerivatives IntegratedContact::cauchy_derivatives(const Box& zeta) const {
+    const Box middle = zeta.middle();
+    const Ball size = upper_end(abs(zeta - middle));
+    const Ball distance = distance_from(a_, b_, middle);
+    if (!certainly_less(size * 4, distance)) {
+        return near_contact(zeta);
+    }
+    if (bits_ > bits_of_searches) {
+        return off_contact(series_off_contact(middle, few_terms, bits_), zeta);
+    }
+    for (const Around& known : bounding().around) {
+        if (certainly_less(abs(zeta - known.centre) * 3, known.distance)) {
+            return off_contact(known, zeta);
+        }
+    }
+    bounding().around.push_back(series_off_contact(middle, far_terms, accuracy_of_searches));
+    return off_contact(bounding().around.back(), zeta);
+}
+
+// Where T is not smooth: for any X of the contact T = (E*/2)(W N + pi (g'(X) - mean)), N the
+// integral of (g'(s) - g'(X))/(zeta - s) over theta, and T' = (E*/2)(W' N + W N'). With the X
+// nearest to x the quotient is at most the greatest g'', and z times the quotient by
+// (zeta - s)^2, too.
+CauchyBounds IntegratedContact::cauchy_bounds(const Box& zeta) const {
+    const CauchyDerivatives smooth = cauchy_derivatives(zeta);
+    if (smooth[1].is_finite()) {
+        return {smooth[0], smooth[1] * zeta.imaginary()};
+    }
+    const Bounding& f = bounding();
+    const auto slope_at = [&](const Ball& x) { // at a point, which may be a knot
+        const auto piece = piece_of(x);
+        return piece ? series_of_slope(*piece, x, 1)[0]
+                     : std::ranges::find_if(f.nodes, [&](const Bounding::Node& node) {
+                           return overlaps(node.s, x);
+                       })->slope;
+    };
+    const Ball left = max(min(lower_end(zeta.real()), a_), -b_);
+    const Ball right = max(min(upper_end(zeta.real()), a_), -b_);
+    const Ball at_X = Ball::hull(slope_at(middle(left)), slope_at(middle(right)));
+    const Ball depth = zeta.imaginary();
+    const Box steep = box_of_size(f.steepest);
+    const auto bounded = [&](const Box& x) {
+        return x.is_finite() && abs(x).upper() <= f.steepest.upper() ? x : steep;
+    };
+    Box N(bits_);
+    Box N_rate(bits_); // z times the integral of the quotient by (zeta - s)^2
+    for (std::size_t i = 0; i + 1 < f.nodes.size(); ++i) {
+        const Bounding::Node& from = f.nodes[i];
+        const Bounding::Node& to = f.nodes[i + 1];
+        const Box distance = zeta - Ball::hull(from.s, to.s);
+        const Box quotient = Box(Ball::hull(from.slope, to.slope) - at_X) / distance;
+        const Ball width = to.theta - from.theta;
+        N = N + bounded(quotient) * width;
+        N_rate = N_rate + bounded(quotient / distance * depth) * width;
+    }
+    const Extent<Ball> e{a_, b_};
+    const Ball factor = modulus_ / 2;
+    const Box root = root_above(e, zeta);
+    return {(root * N + (at_X - f.mean) * Ball::pi(bits_)) * factor,
+            ((zeta - (a_ - b_) / 2) * depth_over_root(e, zeta) * N - root * N_rate) * factor};
+}
+
+} // namespace edgeproof::contact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/algebra/form.hpp"
 #include "edgeproof/algebra/identity.hpp"
+#include "edgeproof/algebra/laurent.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/formula/items.hpp"
@@ -208,4 +209,25 @@ TEST_CASE("several threads work with their own forms") {
     for (const std::string& result : results) {
         CHECK(result == results[0]);
     }
+}
+
+TEST_CASE("elementary functions of an expansion invert each other to the last term") {
+    using L = Laurent;
+    const L b(Form::name("b", true), 9);
+    const auto of = [](Builtin f, const L& y) { return L::call(f, {&y, 1}); };
+    using enum Builtin;
+    for (const auto& [outer, inner] :
+         {std::pair{exp, log}, {log, exp}, {sin, asin}, {cos, acos}, {tan, atan}}) {
+        const Form start(Rational(1, outer == tan ? 1 : 2)); // whose angle is known
+        const L x = L(start, 9) + L::power(1, 9) * b - L::power(3, 8);
+        const L same = of(outer, of(inner, x));
+        for (long k = 0; k < 9; ++k) {
+            CHECK_MESSAGE(same[k] == x[k], name_of(outer), k);
+        }
+    }
+    // exp(w) by its factorials
+    const L e = of(exp, L::power(1, 8));
+    CHECK(e[0] == 1);
+    CHECK(e[5] * 120 == 1);
+    CHECK_THROWS_AS((void)of(log, L::power(1, 8)), DomainError);
 }

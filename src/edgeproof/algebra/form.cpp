@@ -338,6 +338,10 @@ struct Meanings {
 
 } // namespace
 
+Form Form::operator()(const Form& x) const {
+    return form_of(expr(), [&](std::string_view) { return x; });
+}
+
 Form form_of(const Expr& e, const std::function<Form(std::string_view)>& meaning) {
     return formula::evaluate<Form>(e, Meanings{meaning});
 }

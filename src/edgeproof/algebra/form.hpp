@@ -72,6 +72,8 @@ public:
     /// Returns a formula: one fraction with separate factors. Sums that are linear in P1, P2, ...
     /// are collected by these.
     [[nodiscard]] Expr expr() const;
+    /// Returns a form in one name with x in its place.
+    [[nodiscard]] Form operator()(const Form& x) const;
     /// A text that is equal for equal numerators and denominators.
     [[nodiscard]] std::string key() const;
 

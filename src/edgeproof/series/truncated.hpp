@@ -3,6 +3,7 @@
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -183,6 +184,29 @@ template <class T> [[nodiscard]] Series<T> revert(const Series<T>& f) {
         power = power * base;
     }
     return g;
+}
+
+/// y = x^p with y_0 = y0, for any exponent p in T, by x y' = p y x'
+/// (`knuth1997`, section 4.7). Throws DomainError if x has no
+/// constant term.
+template <class T> [[nodiscard]] Series<T> pow_with_constant(const Series<T>& x, const T& p, T y0) {
+    if (x[0] == T(0)) {
+        throw DomainError("a power of a series with no constant term");
+    }
+    Series<T> y(y0, x.order());
+    for (std::size_t n = 1; n < x.order(); ++n) {
+        T sum(0);
+        for (std::size_t j = 1; j <= n; ++j) {
+            sum += (p * T(static_cast<int>(j)) - T(static_cast<int>(n - j))) * x[j] * y[n - j];
+        }
+        y[n] = sum / (T(static_cast<int>(n)) * x[0]);
+    }
+    return y;
+}
+
+template <class T> [[nodiscard]] Series<T> sqrt(const Series<T>& x) {
+    using std::sqrt;
+    return pow_with_constant<T>(x, T(1) / T(2), sqrt(x[0]));
 }
 
 } // namespace edgeproof::series

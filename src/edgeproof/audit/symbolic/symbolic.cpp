@@ -2,11 +2,11 @@
 #include "edgeproof/audit/symbolic/symbolic.hpp"
 
 #include "edgeproof/algebra/form.hpp"
+#include "edgeproof/algebra/laurent.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/series/laurent.hpp"
 
 #include <algorithm>
 #include <map>
@@ -137,7 +137,7 @@ Form meaning_of(const Expr& e, const SymbolField& field) {
     return algebra::form_of(e, [&](std::string_view name) { return field.symbol(name); });
 }
 
-using L = series::Laurent<Form>;
+using L = algebra::Laurent;
 
 /// Evaluates a formula as a truncated expansion in one of its variables. The functions along the
 /// family of contacts are given by their Taylor series, with the coefficients P1, P2, ..., b, b1,
@@ -233,11 +233,8 @@ private:
             throw DomainError("a function is expanded about another point than the edge");
         }
         const unsigned count = terms_in(y);
-        L sum(c(count - 1), order_);
-        for (unsigned k = count - 1; k-- > 0;) {
-            sum = sum * y + L(c(k), order_);
-        }
-        return sum + unknown_from(static_cast<long>(count) * y.lowest());
+        return L::polynomial(y, count, order_, c) +
+               unknown_from(static_cast<long>(count) * y.lowest());
     }
     /// Returns the number of powers of y that contribute to the kept powers of w.
     [[nodiscard]] unsigned terms_in(const L& y) const {
@@ -252,15 +249,12 @@ private:
             if (u.lowest() < 1) {
                 continue;
             }
-            const auto count = static_cast<std::size_t>(
+            const auto count = static_cast<unsigned>(
                 std::min<long>(6, static_cast<long>(order_) / 2 / u.lowest() + 2));
             const std::vector<Form> c = field_.coefficients(edge, count);
-            L sum(c.back(), order_);
-            for (std::size_t k = count - 1; k-- > 0;) {
-                sum = sum * u + L(c[k], order_);
-            }
-            sum = sum + unknown_from(static_cast<long>(count) * u.lowest());
-            return sum * sqrt(u);
+            return (L::polynomial(u, count, order_, [&](unsigned k) { return c[k]; }) +
+                    unknown_from(static_cast<long>(count) * u.lowest())) *
+                   sqrt(u);
         }
         throw DomainError("the pressure is expanded about a point that is no edge");
     }

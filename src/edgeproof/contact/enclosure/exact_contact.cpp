@@ -8,7 +8,7 @@
 #include "edgeproof/contact/law/edge_expansion.hpp"
 #include "edgeproof/contact/law/linear_measure.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/series/functions.hpp"
+#include "edgeproof/series/truncated.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/precision/arithmetic.hpp"
-#include "edgeproof/series/functions.hpp"
+#include "edgeproof/series/truncated.hpp"
 
 #include <cmath>
 #include <utility>

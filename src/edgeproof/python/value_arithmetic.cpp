@@ -62,7 +62,7 @@ void require_size(const Ball& x) {
 /// after a difference of nearly equal values.
 unsigned certain_digits(const Ball& x, unsigned digits) {
     constexpr unsigned fewest = 2;
-    if (contains_zero(x) || rounds_alike(x, digits, Rounding::nearest)) {
+    if (contains_zero(x)) {
         return digits;
     }
     const Rounded r = round_ball(x, digits);

@@ -49,6 +49,33 @@ Decimal decimal_of(const Real& x, unsigned count, mpfr_rnd_t rounding) {
     return d;
 }
 
+/// Lays out a decimal as to_decimal() does.
+std::string layout(const Decimal& d, unsigned digits) {
+    if (d.digits.empty()) {
+        return "0";
+    }
+    const std::string sign = d.negative ? "-" : "";
+    const long point = d.exponent; // digits before the decimal point
+    if (point > -5 && point <= static_cast<long>(digits)) {
+        if (point <= 0) {
+            return sign + "0." + std::string(static_cast<std::size_t>(-point), '0') + d.digits;
+        }
+        const auto before = static_cast<std::size_t>(point);
+        std::string text = sign + d.digits.substr(0, before);
+        if (before < d.digits.size()) {
+            text += "." + d.digits.substr(before);
+        }
+        return text;
+    }
+    std::string text = sign + d.digits.substr(0, 1);
+    if (d.digits.size() > 1) {
+        text += "." + d.digits.substr(1);
+    }
+    const long e = point - 1;
+    const std::string size = std::to_string(e < 0 ? -e : e);
+    return text + "e" + (e < 0 ? "-" : "+") + (size.size() < 2 ? "0" : "") + size;
+}
+
 std::string decimal(const Real& x, unsigned digits, mpfr_rnd_t rounding) {
     if (mpfr_number_p(x.backend().data()) == 0) {
         return mpfr_nan_p(x.backend().data()) != 0 ? "nan" : x > 0 ? "inf" : "-inf";
@@ -262,10 +289,7 @@ Rounded round_rational(const Rational& q, unsigned digits, Rounding mode) {
     return single(d, digits, true);
 }
 
-std::string bound_text(const Real& x) {
-    std::string seen = bound_at_a_glance(mpfr_get_d(x.backend().data(), MPFR_RNDN));
-    return seen.empty() ? decimal(x, 2, MPFR_RNDU) : seen;
-}
+std::string bound_text(const Real& x) { return decimal(x, 2, MPFR_RNDU); }
 
 std::optional<Decimal> terminating_decimal(const Rational& q) {
     const Integer below(boost::multiprecision::denominator(q));
@@ -305,9 +329,6 @@ Rounded round_ball(const Ball& x, unsigned digits, Rounding mode) {
     if (!x.is_finite()) {
         return {};
     }
-    if (const auto seen = rounded_at_a_glance(x, digits, mode)) {
-        return single(seen->value, digits, true);
-    }
     const Ends ends = exact_ends(x);
     const mpfr_rnd_t rounding = mode == Rounding::nearest ? MPFR_RNDN
                                 : mode == Rounding::down  ? MPFR_RNDD
@@ -324,9 +345,6 @@ Rounded round_ball(const Ball& x, unsigned digits, Rounding mode) {
 std::optional<double> nearest_binary64(const Ball& x) {
     if (!x.is_finite()) {
         return {};
-    }
-    if (const auto seen = binary64_at_a_glance(x)) {
-        return seen;
     }
     const Ends ends = exact_ends(x);
     // mpfr_get_d rounds once, including subnormals.
@@ -355,6 +373,24 @@ Real rounded_to_odd(const Rational& q, long bits) {
 double nearest_binary64(const Rational& q) {
     constexpr long bits = 80; // far behind the last bit of every binary64
     return mpfr_get_d(rounded_to_odd(q, bits).backend().data(), MPFR_RNDN);
+}
+
+double digits_reached(const Real& x, const Ball& exact) {
+    constexpr unsigned working = 40; // digits of the result
+    constexpr double digits_a_bit = 0.30103;
+    if (!isfinite(x) || !exact.is_finite()) {
+        return 0;
+    }
+    const PrecisionScope scope(working);
+    const long bits = std::max<long>(exact.bits(), mpfr_get_prec(x.backend().data())) + 64;
+    const Ball at = exact.with_bits(bits);
+    const Ball relative = abs(Ball((Ball(x, bits) - at) / at));
+    if (!relative.is_finite()) {
+        return 0;
+    }
+    const double most = static_cast<double>(bits) * digits_a_bit;
+    const Real error = relative.upper();
+    return error > 0 ? std::clamp(Real(-log10(error)).convert_to<double>(), 0.0, most) : most;
 }
 
 std::ostream& operator<<(std::ostream& out, const Ball& x) {

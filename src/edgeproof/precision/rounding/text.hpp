@@ -71,10 +71,6 @@ struct Rounded {
 /// the text is empty).
 [[nodiscard]] Rounded round_ball(const Ball& x, unsigned digits, Rounding mode = Rounding::nearest);
 
-/// True if round_ball is complete, found without a text in a tenth of the time. True is proved;
-/// false means that round_ball has to decide.
-[[nodiscard]] bool rounds_alike(const Ball& x, unsigned digits, Rounding mode);
-
 /// Returns the binary64 nearest to every number in the ball, if that is one number (including
 /// subnormals; beyond the range infinities as IEEE 754 rounds to them).
 [[nodiscard]] std::optional<double> nearest_binary64(const Ball& x);
@@ -92,38 +88,8 @@ struct Rounded {
 /// a certain digit is printed as "[lower, upper]", one that is not finite as "nan".
 std::ostream& operator<<(std::ostream& out, const Ball& x);
 
-/// The largest number of digits that is counted, also for a relative error of 0.
-constexpr unsigned most_digits_right = 1000;
-
 /// Returns -log10 |x/exact - 1| for the number of the ball that is worst for x, limited by the bits
 /// of both. 0 for negative values, for a NaN, and if the ball contains zero and x is not zero.
 [[nodiscard]] double digits_reached(const Real& x, const Ball& exact);
-/// The same rounded down; 0 for less than one digit.
-[[nodiscard]] unsigned digits_right(const Real& x, const Ball& exact);
-/// Returns -log10 of the relative radius of the ball, rounded down.
-[[nodiscard]] unsigned digits_proved(const Ball& x);
-
-/// A number in decimal, and a bound of its distance from every number in a ball.
-struct SeenAtAGlance {
-    Decimal value;
-    /// bound_text() of that bound; empty if it was not decided.
-    std::string bound;
-};
-
-/// The result of round_ball() where all digits are certain, found by one multiplication and without
-/// the text of either end. A result is proved; without a result the question is open.
-[[nodiscard]] std::optional<SeenAtAGlance> rounded_at_a_glance(const Ball& x, unsigned digits,
-                                                               Rounding mode);
-
-/// The result of nearest_binary64(), found with a few more bits than binary64 has. Without a result
-/// the question is open.
-[[nodiscard]] std::optional<double> binary64_at_a_glance(const Ball& x);
-
-/// Returns bound_text() of near * 10^place if that is the same text for every number within a part
-/// in 10^11 of it; else empty.
-[[nodiscard]] std::string bound_at_a_glance(double near, long place = 0);
-
-/// Lays out a decimal as to_decimal() does.
-[[nodiscard]] std::string layout(const Decimal& d, unsigned digits);
 
 } // namespace edgeproof

@@ -37,8 +37,7 @@ PrintedValue printed_exactly(const Rational& q, const Digits& digits) {
 } // namespace
 
 bool has_digits(const Ball& x, const Digits& digits) {
-    return (rounds_alike(x, digits.count, digits.rounding) ||
-            round_ball(x, digits.count, digits.rounding).complete) &&
+    return round_ball(x, digits.count, digits.rounding).complete &&
            (!digits.binary64 || nearest_binary64(x));
 }
 
@@ -80,10 +79,6 @@ PrintedValue printed(const BoundedValue& x, const Digits& digits) {
     } else if (contains_zero(x.value) && digits.rounding == Rounding::nearest) {
         const bool zero = x.value.is_exact();
         p = {"0", bound_text(abs(x.value).upper()), zero, !zero && x.proved, {}};
-    } else if (const auto seen = rounded_at_a_glance(x.value, digits.count, digits.rounding)) {
-        p.text = layout(seen->value, digits.count);
-        p.bound = seen->bound.empty() ? bound_text(farthest(x.value, seen->value)) : seen->bound;
-        p.complete = true;
     } else {
         Rounded r = round_ball(x.value, digits.count, digits.rounding);
         const bool complete = r.complete;

@@ -2,7 +2,6 @@
 #include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/checks/parts/comparison.hpp"
 #include "edgeproof/audit/checks/parts/margin.hpp"
 #include "edgeproof/audit/checks/parts/sweep.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -84,18 +83,11 @@ RelationInScene everywhere(const ConditionInScene& condition, const Real& neares
     return result;
 }
 
-/// Decides that the condition fails if it fails at every place. The scan has also tried places
-/// between these where the sides come close to each other; its completeness is sampled, not proved.
-Decision fails_at_all(const ConditionInScene& condition, const std::vector<Margin>& places) {
-    Decision last;
-    for (const Margin& place : places) {
-        const auto one = condition.decide_at(&place.fraction);
-        if (one && !refutes(*one)) {
-            return {};
-        }
-        last = one.value_or(last);
-    }
-    return last;
+/// The decision at all places, if it is the same at each.
+Decision same_at_all(const std::vector<Decision>& decisions) {
+    const bool same = !decisions.empty() && (std::ranges::all_of(decisions, confirms) ||
+                                             std::ranges::all_of(decisions, refutes));
+    return same ? decisions.back() : Decision();
 }
 
 RelationInScene somewhere(const ConditionInScene& condition, const Real& nearest) {
@@ -110,29 +102,32 @@ RelationInScene somewhere(const ConditionInScene& condition, const Real& nearest
         const auto there = condition.decide_at(&result.decisive->fraction);
         result.decision = there && confirms(*there) ? *there : Decision();
     } else if (!scan.nearly_changes(false)) {
-        result.decision = fails_at_all(condition, scan.places());
+        // The scan has also tried places between these where the sides come close to each other;
+        // its completeness is sampled, not proved.
+        std::vector<Decision> decisions;
+        for (const Margin& place : scan.places()) {
+            decisions.push_back(condition.decide_at(&place.fraction).value_or(Decision()));
+        }
+        const Decision same = same_at_all(decisions);
+        result.decision = refutes(same) ? same : Decision();
     }
     return result;
 }
 
-/// The decision at all of these distances, if it is the same at each.
-Decision same_at_all(const ConditionInScene& condition, const std::vector<Real>& fractions,
-                     RelationInScene& result) {
+/// The same for these distances, of which it keeps the narrowest margin.
+Decision same_near(const ConditionInScene& condition, const std::vector<Real>& fractions,
+                   RelationInScene& result) {
     std::vector<Decision> decisions;
     for (const Real& fraction : fractions) {
-        const auto margin = condition.margin(&fraction);
-        if (!margin) {
-            continue;
-        }
-        ++result.places;
-        decisions.push_back(condition.decide_at(&fraction).value_or(Decision()));
-        if (margin->clear && (!result.decisive || margin->value < result.decisive->value)) {
-            result.decisive = margin;
+        if (const auto margin = condition.margin(&fraction)) {
+            ++result.places;
+            decisions.push_back(condition.decide_at(&fraction).value_or(Decision()));
+            if (margin->clear && (!result.decisive || margin->value < result.decisive->value)) {
+                result.decisive = margin;
+            }
         }
     }
-    const bool same = !decisions.empty() && (std::ranges::all_of(decisions, confirms) ||
-                                             std::ranges::all_of(decisions, refutes));
-    return same ? decisions.back() : Decision();
+    return same_at_all(decisions);
 }
 
 /// Near the edge the condition holds, or fails, if it does at 11 distances: from 10^10 times
@@ -146,11 +141,11 @@ RelationInScene near_edge(const ConditionInScene& condition, const Real& nearest
     for (int k = 0; k <= 10; ++k) {
         near.push_back(nearest * pow(Real(10), k));
     }
-    result.decision = same_at_all(condition, near, result);
+    result.decision = same_near(condition, near, result);
     if (has_equality && confirms(result.decision)) {
         const auto knots = condition.knots();
         const Real stretch = knots.empty() ? Real(1) : knots.front();
-        const Decision farther = same_at_all(
+        const Decision farther = same_near(
             condition, {stretch / 1000, stretch / 30, stretch / 7, stretch * 2 / 5}, result);
         if (!confirms(farther)) {
             result.decision = {};

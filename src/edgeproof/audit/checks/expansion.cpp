@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/checks/parts/comparison.hpp"
 #include "edgeproof/audit/checks/parts/decimal_fit.hpp"
 #include "edgeproof/audit/checks/parts/residual_fit.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"

@@ -52,6 +52,10 @@ std::vector<CheckKind> all_kinds() {
     };
 }
 
+bool is_symmetric(const Family* family) {
+    return !family->profile.starts_with("tilted-") && family->profile != "piecewise";
+}
+
 } // namespace
 
 const std::vector<CheckKind>& check_kinds() {
@@ -77,6 +81,43 @@ const std::vector<KeySpec>& common_keys() {
         optional("decimals", Type::choice, {"rounded", "exact"}),
     };
     return keys;
+}
+
+std::vector<std::pair<std::string, Expr>> named_formulas(const Claim& claim, std::string_view key) {
+    std::vector<std::pair<std::string, Expr>> named;
+    const Field* field = claim.find(key);
+    for (std::size_t i = 0; field != nullptr && i < claim.formulas(key).size(); ++i) {
+        const auto* list = std::get_if<Field::List>(&field->value);
+        named.emplace_back(list != nullptr ? list->at(i) : claim.table(key)[i].first,
+                           claim.formulas(key)[i]);
+    }
+    return named;
+}
+
+SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context) {
+    SymbolicCase under;
+    const Ledger& ledger = context.ledger();
+    under.symmetric =
+        claim.has("over") &&
+        std::ranges::all_of(ledger.members(ledger.family(claim.text("over"))), is_symmetric);
+    for (const auto& [name, formula] : named_formulas(claim, "given")) {
+        if (name != "P" && name != "b") {
+            claim.reject("given", "given contains " + name + ", from which nothing is derived",
+                         "write given = { P = \"...\", b = \"...\" }, formulas in a");
+        }
+        (name == "P" ? under.P : under.b) = formula;
+    }
+    for (const Sample& sample :
+         claim.has("over") ? context.samples(claim) : std::vector<Sample>()) {
+        for (const auto* values : {&sample.variables, &sample.scene.parameters}) {
+            for (const auto& [name, value] : *values) {
+                if (value.sign() <= 0) {
+                    under.either_sign.insert(name);
+                }
+            }
+        }
+    }
+    return under;
 }
 
 } // namespace edgeproof::audit

@@ -2,6 +2,12 @@
 #pragma once
 #include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/sample/audit_context.hpp"
+#include "edgeproof/audit/symbolic/symbolic.hpp"
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 /// The checks of the kinds of claim, in the files of this folder. A new kind is declared here
 /// and has a row in kinds.cpp.
@@ -19,5 +25,13 @@ using Check = Outcome(const Claim& claim, const AuditContext& context);
 [[nodiscard]] Check check_condition;
 /// Checks if a quantity is a function of others, where P', P'', b', b'', ... are free.
 [[nodiscard]] Check check_relations;
+
+/// Returns the formulas of a list or table of a claim, each with its text in the list or its name
+/// in the table; none if the claim has no such field.
+[[nodiscard]] std::vector<std::pair<std::string, Expr>> named_formulas(const Claim& claim,
+                                                                       std::string_view key);
+
+/// b = a for a family of symmetric contacts; P(a), b(a) if `given` names them.
+[[nodiscard]] SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context);
 
 } // namespace edgeproof::audit

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/relations/relations.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
-#include "edgeproof/audit/checks/parts/comparison.hpp"
 
 #include <algorithm>
 

@@ -141,17 +141,11 @@ Decision decide(const Condition& condition, const EnclosedSample& sample, double
 }
 
 Decision decide(const Condition& condition, SampleInBalls& sample, double digits) {
-    Decision found;
-    for (const SidesThatAgree agreeing : {SidesThatAgree::undecided, SidesThatAgree::equal}) {
-        static_cast<void>(sample.until([&](const EnclosedSample& at) {
-            found = decide(condition, at, digits, agreeing);
-            return !std::holds_alternative<std::monostate>(found);
-        }));
-        if (!std::holds_alternative<std::monostate>(found)) {
-            break;
-        }
-    }
-    return found;
+    return decide_by(condition, sample,
+                     [&](const EnclosedSample& at, SidesThatAgree agreeing, Decision& found) {
+                         found = decide(condition, at, digits, agreeing);
+                         return !is_open(found);
+                     });
 }
 
 } // namespace edgeproof::audit

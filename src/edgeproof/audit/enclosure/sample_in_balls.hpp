@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -29,6 +30,8 @@ public:
         : sample_(std::move(sample)), digits_(digits),
           integral_digits_(integral_digits != 0 ? integral_digits : digits + 2) {}
 
+    /// Moves the place, from the edge of the sample: a fraction of the length of the contact.
+    void move_to(const Real& fraction) { fraction_ = fraction; }
     /// Calls look(EnclosedSample&), with twice the bits each time, until it returns true. Returns
     /// false if it does not do so at the maximum of bits, or if there is no enclosure; `problem`
     /// gives the reason.
@@ -41,15 +44,19 @@ public:
 
 private:
     [[nodiscard]] EnclosedSample& at(long bits) {
-        const auto it = levels_.find(bits);
-        return it != levels_.end()
-                   ? it->second
-                   : levels_.emplace(bits, EnclosedSample(sample_, bits, integral_digits_))
-                         .first->second;
+        auto it = levels_.find(bits);
+        if (it == levels_.end()) {
+            it = levels_.emplace(bits, EnclosedSample(sample_, bits, integral_digits_)).first;
+        }
+        if (fraction_) {
+            it->second.set_place(sample_.edge, Ball(*fraction_, bits) * it->second.length());
+        }
+        return it->second;
     }
     Sample sample_;
     unsigned digits_;
     unsigned integral_digits_;
+    std::optional<Real> fraction_;
     std::string problem_;
     std::map<long, EnclosedSample> levels_;
 };
@@ -85,7 +92,22 @@ enum class SidesThatAgree {
 /// The same for all relations of a condition: one that fails decides.
 [[nodiscard]] Decision decide(const Condition& condition, const EnclosedSample& sample,
                               double digits, SidesThatAgree agreeing);
-/// The same with as many bits as necessary. Nothing where the enclosures do not decide.
+/// Returns what look(EnclosedSample&, SidesThatAgree, Decision&) finds for a condition with as many
+/// bits as it needs to return true. Sides that agree count as equal if nothing else decides.
+template <class Look>
+[[nodiscard]] Decision decide_by(const Condition& condition, SampleInBalls& sample,
+                                 const Look& look) {
+    Decision found;
+    const bool equality = std::ranges::any_of(condition, allows_equality);
+    for (const auto agreeing : {SidesThatAgree::undecided, SidesThatAgree::equal}) {
+        if (is_open(found) && (equality || agreeing == SidesThatAgree::undecided)) {
+            static_cast<void>(
+                sample.until([&](EnclosedSample& at) { return look(at, agreeing, found); }));
+        }
+    }
+    return found;
+}
+/// The same for the condition itself. Nothing where the enclosures do not decide.
 [[nodiscard]] Decision decide(const Condition& condition, SampleInBalls& sample, double digits);
 
 } // namespace edgeproof::audit

@@ -21,56 +21,38 @@ ConditionInScene::ConditionInScene(const Sample& sample, PrintedCondition condit
     : sample_(sample), printed_(std::move(condition)), condition_(printed_.as_printed),
       where_(std::move(where)), digits_(digits), in_balls_(sample, first_digits, digits + 2) {}
 
-template <class Look>
-bool ConditionInScene::looks_at(const Real* fraction, SidesThatAgree agreeing,
-                                const Look& look) const {
-    bool admitted = !where_;
-    static_cast<void>(in_balls_.until([&](EnclosedSample& at) {
-        if (fraction != nullptr) {
-            at.set_place(sample_.edge, Ball(*fraction, at.bits()) * at.length());
-        }
-        if (!admitted) {
-            const Decision there =
-                decide(*where_, at, AuditContext::digits_needed(digits_), agreeing);
-            admitted = confirms(there);
-            if (!admitted) {
-                return refutes(there);
-            }
-        }
-        return look(at);
-    }));
-    return admitted;
+bool ConditionInScene::moves_to(const Real* fraction) const {
+    if (fraction != nullptr) {
+        in_balls_.move_to(*fraction);
+    }
+    Decision there;
+    return !where_ || (in_balls_.until([&](const EnclosedSample& at) {
+        there = decide(*where_, at, needed(), SidesThatAgree::undecided);
+        return !is_open(there);
+    }) && confirms(there));
 }
 
 std::optional<Decision> ConditionInScene::decide_at(const Real* fraction) const {
-    auto found = decide_at(fraction, SidesThatAgree::undecided);
-    if (found && is_open(*found) && std::ranges::any_of(condition_, allows_equality)) {
-        found = decide_at(fraction, SidesThatAgree::equal);
+    if (!moves_to(fraction)) {
+        return std::nullopt;
     }
-    return found;
-}
-
-std::optional<Decision> ConditionInScene::decide_at(const Real* fraction,
-                                                    SidesThatAgree agreeing) const {
-    const double needed = AuditContext::digits_needed(digits_);
-    Decision found;
-    const bool admitted = looks_at(fraction, agreeing, [&](EnclosedSample& at) {
-        found = decide(printed_.as_printed, at, needed, agreeing);
+    const auto look = [&](EnclosedSample& at, SidesThatAgree agreeing, Decision& found) {
+        found = decide(condition_, at, needed(), agreeing);
         if (refutes(found) && !printed_.decimals.empty()) {
             Decimals intervals;
             for (const PrintedDecimal& decimal : printed_.decimals) {
                 intervals.push_back(decimal.interval(rounding_units(), at.bits()));
             }
             set_decimals(at, intervals);
-            found = decide(printed_.named, at, needed, agreeing);
+            found = decide(printed_.named, at, needed(), agreeing);
             if (!refutes(found)) {
                 found = {};
                 return true; // more bits do not make the intervals narrower
             }
         }
         return !is_open(found);
-    });
-    return admitted ? std::optional(found) : std::nullopt;
+    };
+    return decide_by(condition_, in_balls_, look);
 }
 
 std::vector<Real> ConditionInScene::knots() const {
@@ -133,15 +115,14 @@ Margin ConditionInScene::margin_at(const EnclosedSample& at) const {
 }
 
 std::optional<Margin> ConditionInScene::margin(const Real* fraction) const {
-    std::optional<Margin> m;
-    const bool admitted =
-        looks_at(fraction, SidesThatAgree::undecided, [&](const EnclosedSample& at) {
-            m = margin_at(at);
-            return m->clear;
-        });
-    if (!admitted) {
+    if (!moves_to(fraction)) {
         return std::nullopt;
     }
+    std::optional<Margin> m;
+    static_cast<void>(in_balls_.until([&](const EnclosedSample& at) {
+        m = margin_at(at);
+        return m->clear;
+    }));
     if (!m) {
         throw BudgetError(in_balls_.problem());
     }
@@ -153,7 +134,7 @@ std::optional<Margin> ConditionInScene::margin(const Real* fraction) const {
 
 Real ConditionInScene::counts_as_equal() const {
     return std::ranges::all_of(condition_, allows_equality)
-               ? pow(Real(10), -static_cast<int>(AuditContext::digits_needed(digits_)))
+               ? pow(Real(10), -static_cast<int>(needed()))
                : Real(0);
 }
 

@@ -47,13 +47,9 @@ public:
     [[nodiscard]] Real counts_as_equal() const;
 
 private:
-    [[nodiscard]] std::optional<Decision> decide_at(const Real* fraction,
-                                                    SidesThatAgree agreeing) const;
-    /// Calls look(EnclosedSample&) at the place until it returns true; false if `where` does not
-    /// certainly hold there.
-    template <class Look>
-    [[nodiscard]] bool looks_at(const Real* fraction, SidesThatAgree agreeing,
-                                const Look& look) const;
+    /// Moves to a place; false if `where` does not certainly hold there.
+    [[nodiscard]] bool moves_to(const Real* fraction) const;
+    [[nodiscard]] unsigned needed() const { return AuditContext::digits_needed(digits_); }
     [[nodiscard]] Margin margin_at(const EnclosedSample& at) const;
 
     Sample sample_;

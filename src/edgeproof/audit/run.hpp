@@ -49,12 +49,6 @@ void add_later_results(AuditResult& result, const AuditContext& context);
 [[nodiscard]] std::optional<Evidence> clearest_counterexample(const ClaimResult& result,
                                                               const AuditContext& context);
 
-/// The claim, or its last refuted reading (the most favourable to the source).
-struct RefutedReading {
-    const Claim* claim = nullptr;
-    const Outcome* outcome = nullptr;
-};
-
 /// The parts of a figure exit(terms, tolerance)/base, or of measure(...)/base.
 struct QuotedReach {
     Expr terms;
@@ -65,14 +59,5 @@ struct QuotedReach {
 
 /// Reads "46 %" or "0.03" as a number.
 [[nodiscard]] Rational quoted_number(const std::string& text);
-
-/// Returns a measure of the effort to calculate with a number by hand.
-[[nodiscard]] double effort_of(const Rational& value);
-
-/// Each function finds a counterexample for one kind of claim.
-using Counterexample = std::optional<Evidence>(const RefutedReading& refuted,
-                                               const AuditContext& context);
-[[nodiscard]] Counterexample reach_counterexample;
-[[nodiscard]] Counterexample integral_counterexample;
 
 } // namespace edgeproof::audit

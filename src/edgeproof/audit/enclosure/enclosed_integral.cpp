@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
+#include "edgeproof/audit/enclosure/contact_formulas.hpp"
 #include "edgeproof/audit/enclosure/integrand.hpp"
 #include "edgeproof/precision/error.hpp"
 

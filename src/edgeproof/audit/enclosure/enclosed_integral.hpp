@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/audit/enclosure/contact_formulas.hpp"
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 
@@ -11,6 +10,10 @@
 
 /// Properties of an integrand as it is written.
 namespace edgeproof::audit {
+
+using formula::Expr;
+
+class ContactFormulas;
 
 /// What is known of the law b of the left edge in symbols, in addition to its inverse.
 enum class EdgeLaw {

@@ -2,6 +2,7 @@
 #include "edgeproof/audit/relations/relations.hpp"
 
 #include "edgeproof/algebra/form.hpp"
+#include "edgeproof/precision/ball/arb_values.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
@@ -177,21 +178,13 @@ private:
 /// Returns the fraction n/d with n^2, d^2 < prime/2 that equals x modulo the prime; there is at
 /// most one.
 std::optional<Rational> fraction(ulong x) {
-    fmpq_t q;
-    fmpz_t a;
-    fmpz_t m;
-    fmpq_init(q);
-    fmpz_init_set_ui(a, x);
-    fmpz_init_set_ui(m, prime);
-    std::optional<Rational> result;
-    if (fmpq_reconstruct_fmpz(q, a, m) != 0) {
-        result.emplace();
-        fmpq_get_mpq(result->backend().data(), q);
-    }
-    fmpz_clear(m);
-    fmpz_clear(a);
-    fmpq_clear(q);
-    return result;
+    FmpqValue q;
+    FmpzValue residue;
+    FmpzValue modulus;
+    fmpz_set_ui(residue, x);
+    fmpz_set_ui(modulus, prime);
+    return fmpq_reconstruct_fmpz(q, residue, modulus) != 0 ? std::optional(from_fmpq(q))
+                                                           : std::nullopt;
 }
 
 std::optional<PolynomialRelation> over_integers(const NullVector& v,

@@ -7,8 +7,7 @@
 ///   real.hpp        Real (MPFR at any precision) and PrecisionScope
 ///   arithmetic.hpp  pi, rational numbers and the spacing at 1 in Real
 ///   text.hpp        exact text in (decimals become rationals), rounded text out; balls printed to
-///   a
-///                   stream; the number of digits that an enclosure proves right
+///                   a stream
 ///   ball.hpp        Ball (Arb): a midpoint and a proved radius
 ///   ball_series.hpp BallSeries: truncated power series with balls as coefficients
 ///   interval.hpp    Interval: both ends of a range, whose signs are exact

@@ -56,32 +56,29 @@ BallSeries BallSeries::resized(std::size_t order) const {
     return r;
 }
 
-namespace {
-slong terms(const BallSeries& x, const BallSeries& y) {
-    return static_cast<slong>(std::min(x.order(), y.order()));
+/// f(result, x, y, terms, bits), a function of Arb.
+template <class F> BallSeries BallSeries::apply(F f, const BallSeries& x, const BallSeries& y) {
+    BallSeries r(std::min(x.order_, y.order_), std::max(x.bits_, y.bits_));
+    f(r.poly_, x.poly_, y.poly_, static_cast<slong>(r.order_), r.bits_);
+    return r;
 }
-long bits_of(const BallSeries& x, const BallSeries& y) { return std::max(x.bits(), y.bits()); }
-} // namespace
+template <class F> BallSeries BallSeries::apply(F f, const BallSeries& x) {
+    BallSeries r(x.order_, x.bits_);
+    f(r.poly_, x.poly_, static_cast<slong>(x.order_), x.bits_);
+    return r;
+}
 
 BallSeries operator+(const BallSeries& x, const BallSeries& y) {
-    BallSeries r(std::min(x.order_, y.order_), bits_of(x, y));
-    arb_poly_add_series(r.poly_, x.poly_, y.poly_, terms(x, y), r.bits_);
-    return r;
+    return BallSeries::apply(arb_poly_add_series, x, y);
 }
 BallSeries operator-(const BallSeries& x, const BallSeries& y) {
-    BallSeries r(std::min(x.order_, y.order_), bits_of(x, y));
-    arb_poly_sub_series(r.poly_, x.poly_, y.poly_, terms(x, y), r.bits_);
-    return r;
+    return BallSeries::apply(arb_poly_sub_series, x, y);
 }
 BallSeries operator*(const BallSeries& x, const BallSeries& y) {
-    BallSeries r(std::min(x.order_, y.order_), bits_of(x, y));
-    arb_poly_mullow(r.poly_, x.poly_, y.poly_, terms(x, y), r.bits_);
-    return r;
+    return BallSeries::apply(arb_poly_mullow, x, y);
 }
 BallSeries operator/(const BallSeries& x, const BallSeries& y) {
-    BallSeries r(std::min(x.order_, y.order_), bits_of(x, y));
-    arb_poly_div_series(r.poly_, x.poly_, y.poly_, terms(x, y), r.bits_);
-    return r;
+    return BallSeries::apply(arb_poly_div_series, x, y);
 }
 BallSeries operator*(const BallSeries& x, const Ball& c) {
     BallSeries r(x.order_, std::max(x.bits_, c.bits()));
@@ -98,30 +95,16 @@ BallSeries operator-(const BallSeries& x) {
     arb_poly_neg(r.poly_, r.poly_);
     return r;
 }
-BallSeries sqrt(const BallSeries& x) {
-    BallSeries r(x.order_, x.bits_);
-    arb_poly_sqrt_series(r.poly_, x.poly_, static_cast<slong>(x.order_), x.bits_);
-    return r;
-}
-BallSeries log1p(const BallSeries& x) {
-    BallSeries r(x.order_, x.bits_);
-    arb_poly_log1p_series(r.poly_, x.poly_, static_cast<slong>(x.order_), x.bits_);
-    return r;
-}
-BallSeries atan(const BallSeries& x) {
-    BallSeries r(x.order_, x.bits_);
-    arb_poly_atan_series(r.poly_, x.poly_, static_cast<slong>(x.order_), x.bits_);
-    return r;
+BallSeries sqrt(const BallSeries& x) { return BallSeries::apply(arb_poly_sqrt_series, x); }
+BallSeries log1p(const BallSeries& x) { return BallSeries::apply(arb_poly_log1p_series, x); }
+BallSeries atan(const BallSeries& x) { return BallSeries::apply(arb_poly_atan_series, x); }
+BallSeries inverse_function(const BallSeries& x) {
+    return BallSeries::apply(arb_poly_revert_series, x);
 }
 BallSeries pow(const BallSeries& x, const Ball& exponent) {
     BallSeries r(x.order_, x.bits_);
     arb_poly_pow_arb_series(r.poly_, x.poly_, exponent.data(), static_cast<slong>(x.order_),
                             x.bits_);
-    return r;
-}
-BallSeries inverse_function(const BallSeries& x) {
-    BallSeries r(x.order_, x.bits_);
-    arb_poly_revert_series(r.poly_, x.poly_, static_cast<slong>(x.order_), x.bits_);
     return r;
 }
 

@@ -43,6 +43,8 @@ public:
 
 private:
     BallSeries(std::size_t order, long bits);
+    template <class F> static BallSeries apply(F f, const BallSeries& x, const BallSeries& y);
+    template <class F> static BallSeries apply(F f, const BallSeries& x);
     ArbPolyValue poly_;
     std::size_t order_;
     long bits_;

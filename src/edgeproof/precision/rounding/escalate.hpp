@@ -14,29 +14,6 @@ struct BitBudget {
     long last = 1L << 20;
 };
 
-/// An enclosure, and whether it is as narrow as requested.
-struct Escalated {
-    Ball value;
-    bool reached = false;
-    long bits = 0; ///< the working precision of the last attempt
-};
-
-/// Calls f(bits) -> Ball with doubled precision until `enough(ball)` is true or the budget is used
-/// up.
-template <class F, class Enough>
-[[nodiscard]] Escalated try_escalate(const F& f, const Enough& enough, const BitBudget& budget) {
-    Escalated e;
-    for (long bits = budget.first;; bits *= 2) {
-        check_interruption();
-        e.value = f(bits);
-        e.bits = bits;
-        e.reached = enough(e.value);
-        if (e.reached || bits > budget.last / 2) {
-            return e;
-        }
-    }
-}
-
 /// Calls look(bits) with doubled precision until it returns true. Returns an empty text then, or
 /// the reason why it did not: an Error that more bits do not remove ends the search.
 template <class Look>
@@ -59,17 +36,22 @@ template <class Look>
     return problem;
 }
 
-/// The same as try_escalate; throws BudgetError with the accuracy reached if the budget does not
-/// suffice.
+/// Calls f(bits) -> Ball with doubled precision until `enough(ball)` is true. Throws BudgetError
+/// with the accuracy reached if the budget does not suffice.
 template <class F, class Enough>
 [[nodiscard]] Ball escalate(const F& f, const Enough& enough, const BitBudget& budget = {}) {
-    Escalated e = try_escalate(f, enough, budget);
-    if (!e.reached) {
-        throw BudgetError("the enclosure is still too wide at " + std::to_string(e.bits) +
-                          " bits: " + std::to_string(e.value.relative_accuracy_bits()) +
-                          " bits are certain");
+    for (long bits = budget.first;; bits *= 2) {
+        check_interruption();
+        Ball value = f(bits);
+        if (enough(value)) {
+            return value;
+        }
+        if (bits > budget.last / 2) {
+            throw BudgetError("the enclosure is still too wide at " + std::to_string(bits) +
+                              " bits: " + std::to_string(value.relative_accuracy_bits()) +
+                              " bits are certain");
+        }
     }
-    return std::move(e.value);
 }
 
 } // namespace edgeproof

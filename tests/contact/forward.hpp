@@ -18,13 +18,13 @@ template <class Q>
 [[nodiscard]] auto resultant(const Extent<Real>& e, const Q& q, unsigned target_digits) {
     const Real half = e.length() / 2;
     const auto halves = [&](bool at_right) {
-        return quadrature::integrate_one_sided(
+        return quadrature::integrate_near(
             [&](const Real& lo, const Real& hi) {
                 const Real far = half + hi;
                 return Real(
                     q(at_right ? Place{lo, far, Real(e.a - lo)} : Place{far, lo, Real(lo - e.b)}));
             },
-            half, Real(0), true, {.target_digits = target_digits});
+            half, Real(0), Real(0), {.target_digits = target_digits});
     };
     auto sum = halves(true);
     sum.add(halves(false));
@@ -39,13 +39,13 @@ template <class Q>
                                    unsigned target_digits) {
     const Real inner = (at.right < at.left ? at.right : at.left) / 2;
     const quadrature::QuadratureOptions options{.target_digits = target_digits};
-    auto sum = quadrature::integrate_one_sided(
+    auto sum = quadrature::integrate_near(
         [&](const Real& y, const Real&) {
             const Place after{Real(at.right - y), Real(at.left + y), Real(at.x + y)};
             const Place before{Real(at.right + y), Real(at.left - y), Real(at.x - y)};
             return Real((q(after) - q(before)) / y);
         },
-        inner, Real(0), true, options);
+        inner, Real(0), Real(0), options);
     const Real right = at.right - inner;
     sum.add(quadrature::integrate_near(
         [&](const Real& lo, const Real& hi) {

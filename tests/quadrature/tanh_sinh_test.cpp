@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/quadrature/tanh_sinh.hpp"
-#include "edgeproof/series/functions.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>

@@ -2,14 +2,12 @@
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 
 #include "edgeproof/precision/arithmetic.hpp"
-#include "edgeproof/precision/ball/arb_values.hpp"
 #include "edgeproof/precision/bounded_cache.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <deque>
 #include <memory>
-#include <optional>
 #include <utility>
 
 namespace edgeproof::quadrature {
@@ -76,18 +74,6 @@ std::shared_ptr<const Nodes> nodes_of_thread() {
     return tables.get(working_digits(), [] { return std::make_shared<const Nodes>(); });
 }
 
-/// e^x - 1 by Arb, which is several times faster than MPFR up to some hundreds of digits; its error
-/// is little more than that of rounding.
-Real exp_less_one(const Real& x) {
-    constexpr long guard_bits = 20;
-    Real result = x; // with its precision
-    ArbValue value;
-    arf_set_mpfr(arb_midref(value), x.backend().data());
-    arb_expm1(value, value, mpfr_get_prec(x.backend().data()) + guard_bits);
-    arf_get_mpfr(result.backend().data(), arb_midref(value), MPFR_RNDN);
-    return result;
-}
-
 /// |x - y| in units of `scale`.
 Real distance(const Real& x, const Real& y, const Real& scale) {
     const Real d = abs(Real(x - y));
@@ -114,15 +100,11 @@ QuadratureResult tanh_sinh(const Integrand& f, const QuadratureOptions& options)
             : Real(pow(Real(10), -static_cast<int>(options.target_digits)));
 
     QuadratureResult result;
-    std::optional<Real> sum;
-    std::optional<Real> magnitude;
+    Real sum(0);
+    Real magnitude(0);
     const auto accumulate = [&](const Real& weight, const Real& value) {
-        if (!sum) {
-            sum = value * 0;
-            magnitude = value * 0;
-        }
-        *sum += weight * value;
-        *magnitude += abs(Real(weight * value));
+        sum += weight * value;
+        magnitude += abs(Real(weight * value));
     };
     const auto evaluate = [&](const Real& lo, const Real& hi) {
         ++result.evaluations;
@@ -157,9 +139,8 @@ QuadratureResult tanh_sinh(const Integrand& f, const QuadratureOptions& options)
                 const Real value =
                     left ? evaluate(node.near, node.far) : evaluate(node.far, node.near);
                 accumulate(node.weight, value);
-                const bool small =
-                    node.near < Real(1) / 8 &&
-                    distance(value * node.weight, value * 0, *magnitude) < negligible;
+                const bool small = node.near < Real(1) / 8 &&
+                                   distance(value * node.weight, Real(0), magnitude) < negligible;
                 quiet = small ? quiet + 1 : 0;
                 if (quiet == 3 && level <= first_level) {
                     end = node.t;
@@ -169,9 +150,9 @@ QuadratureResult tanh_sinh(const Integrand& f, const QuadratureOptions& options)
         }
         // The step of a level is h = 2^-level: the integral is h times the sum over all levels
         // (`takahasi-mori1974`).
-        const Real before = std::exchange(result.value, *sum * Nodes::step(level));
+        const Real before = std::exchange(result.value, sum * Nodes::step(level));
         if (level >= first_level) {
-            result.estimate = distance(result.value, before, *magnitude * Nodes::step(level));
+            result.estimate = distance(result.value, before, magnitude * Nodes::step(level));
             result.converged = result.estimate <= tolerance;
             if (result.converged) {
                 break;
@@ -181,6 +162,10 @@ QuadratureResult tanh_sinh(const Integrand& f, const QuadratureOptions& options)
     return result;
 }
 
+namespace {
+
+/// A singularity beyond one end. The map r = beyond (e^y - 1) moves it to y = -infinity, and a
+/// branch cut beyond it to Im y = +-pi, for any distance.
 QuadratureResult integrate_one_sided(const Integrand& f, const Real& length, const Real& beyond,
                                      bool at_lo, const QuadratureOptions& options) {
     QuadratureResult result;
@@ -200,10 +185,10 @@ QuadratureResult integrate_one_sided(const Integrand& f, const Real& length, con
                 Real r;
                 Real rest;
                 if (to_go < half) {
-                    rest = -whole * exp_less_one(Real(-to_go));
+                    rest = -whole * expm1(Real(-to_go));
                     r = length - rest;
                 } else {
-                    r = beyond * exp_less_one(Real(y_end * y));
+                    r = beyond * expm1(Real(y_end * y));
                     rest = length - r;
                 }
                 return Real((at_lo ? f(r, rest) : f(rest, r)) * Real(r + beyond));
@@ -218,6 +203,8 @@ QuadratureResult integrate_one_sided(const Integrand& f, const Real& length, con
     result.value = result.value * length;
     return result;
 }
+
+} // namespace
 
 QuadratureResult integrate_near(const Integrand& f, const Real& length, const Real& beyond_lo,
                                 const Real& beyond_hi, const QuadratureOptions& options) {
@@ -241,24 +228,16 @@ QuadratureResult
 integrate_pieces(const std::function<Real(std::size_t, const Real& lo, const Real& hi)>& f,
                  const std::vector<Real>& lengths, const Real& beyond_first,
                  const Real& beyond_last, const QuadratureOptions& options) {
-    std::optional<QuadratureResult> total;
+    QuadratureResult total{Real(0), Real(0), 0, true};
     for (std::size_t i = 0; i < lengths.size(); ++i) {
-        if (!(lengths[i] > 0)) {
-            continue;
-        }
-        auto part = integrate_near([&](const Real& lo, const Real& hi) { return f(i, lo, hi); },
-                                   lengths[i], i > 0 ? lengths[i - 1] : beyond_first,
-                                   i + 1 < lengths.size() ? lengths[i + 1] : beyond_last, options);
-        if (total) {
-            total->add(part);
-        } else {
-            total = std::move(part);
+        if (lengths[i] > 0) {
+            total.add(integrate_near([&](const Real& lo, const Real& hi) { return f(i, lo, hi); },
+                                     lengths[i], i > 0 ? lengths[i - 1] : beyond_first,
+                                     i + 1 < lengths.size() ? lengths[i + 1] : beyond_last,
+                                     options));
         }
     }
-    if (!total) {
-        throw DomainError("an integral over an empty interval");
-    }
-    return std::move(*total);
+    return total.evaluations > 0 ? total : throw DomainError("an integral over an empty interval");
 }
 
 } // namespace edgeproof::quadrature

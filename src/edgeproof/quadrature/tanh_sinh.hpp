@@ -39,16 +39,10 @@ struct QuadratureOptions {
 /// precision. If the quadrature does not converge by `last_level`, `converged` is false.
 [[nodiscard]] QuadratureResult tanh_sinh(const Integrand& f, const QuadratureOptions& options = {});
 
-/// The integral of f over an interval of length L, where f has a singularity *outside*, at the
-/// distance `beyond` from one end (0: none known). A near one makes tanh-sinh slow
-/// (`trefethen-weideman2014`). The map r = beyond (e^y - 1) moves it to y = -infinity, and a branch
-/// cut beyond it to Im y = +-pi, for any distance. The result has the unit of f times that of
-/// `length`.
-[[nodiscard]] QuadratureResult integrate_one_sided(const Integrand& f, const Real& length,
-                                                   const Real& beyond, bool at_lo,
-                                                   const QuadratureOptions& options = {});
-
-/// The same with singularities beyond both ends; the interval is halved if both are near.
+/// The integral of f over an interval of length L, where f may have singularities *outside*, at
+/// these distances from the ends (0: none known). A near one makes tanh-sinh slow
+/// (`trefethen-weideman2014`) and is mapped away; the interval is halved if both are near. The
+/// result has the unit of f times that of `length`.
 [[nodiscard]] QuadratureResult integrate_near(const Integrand& f, const Real& length,
                                               const Real& beyond_lo, const Real& beyond_hi,
                                               const QuadratureOptions& options = {});

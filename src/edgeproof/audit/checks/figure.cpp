@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <vector>
 
 namespace edgeproof::audit {
 namespace {
@@ -147,16 +148,10 @@ private:
 
 /// Returns the rank of a verdict on a figure, from good to bad.
 int badness(Verdict v) {
-    switch (v) {
-    case Verdict::confirmed:
-        return 0;
-    case Verdict::imprecise:
-        return 1;
-    case Verdict::refuted:
-        return 3;
-    default:
-        return 2;
-    }
+    return v == Verdict::confirmed   ? 0
+           : v == Verdict::imprecise ? 1
+           : v == Verdict::refuted   ? 3
+                                     : 2;
 }
 
 struct FigureAt {
@@ -201,8 +196,7 @@ Outcome compare_figure(const Claim& claim, const AuditContext& context) {
     const PrecisionScope scope(digits + 20);
     Outcome outcome;
     outcome.evidence.add("of", claim.text("of")).add("samples", samples.all().size());
-    std::optional<Real> least;
-    std::optional<Real> most;
+    std::vector<Real> values;
     std::optional<Real> at_worst;
     int worst = -1;
     for (const Sample& sample : samples.all()) {
@@ -224,15 +218,15 @@ Outcome compare_figure(const Claim& claim, const AuditContext& context) {
                 .add("units_off", figure.units_off(value))
                 .add("enclosure", ball_text(*found.value, context.digits()));
         }
-        least = !least || value < *least ? value : *least;
-        most = !most || value > *most ? value : *most;
+        values.push_back(value);
     }
-    if (!least) {
+    if (values.empty()) {
         outcome.note = "no sample fulfils the condition";
         return outcome;
     }
+    const auto [least, most] = std::ranges::minmax(values);
     outcome.evidence.add("range",
-                         std::vector<std::string>{figure.text(*least, 12), figure.text(*most, 12)});
+                         std::vector<std::string>{figure.text(least, 12), figure.text(most, 12)});
     outcome.note = outcome.verdict == Verdict::undecided
                        ? "the enclosure does not decide how it is rounded"
                        : figure.note(*at_worst);

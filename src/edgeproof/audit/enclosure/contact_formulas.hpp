@@ -239,7 +239,6 @@ private:
         return profile_.parameters().at(name).expr();
     }
     /// Introduces a name for a number.
-
     Expr named(const std::string& name, const Ball& value) {
         constants_.insert_or_assign(name, value);
         return Expr::symbol(name);

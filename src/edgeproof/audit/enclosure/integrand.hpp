@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/audit/enclosure/tilted_path.hpp"
+#include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/formula/evaluation/program.hpp"
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/ball/complex_box.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -42,10 +46,37 @@ struct IntegrandMeaning {
 class Integrand {
 public:
     /// Throws Error for a part without an enclosure.
-    Integrand(const Expr& f, std::string variable, IntegrandMeaning meaning, long bits);
+    Integrand(const Expr& f, std::string variable, IntegrandMeaning meaning, long bits)
+        : variable_(std::move(variable)), meaning_(std::move(meaning)), bits_(bits),
+          program_(f, inputs(variable_, meaning_),
+                   [this](const Expr& part) { return written_out(part); }),
+          valued_(program_.parts().size(), ValuedBox(bits)), zero_(valued_.size(), false),
+          sloped_(valued_.size(), false) {
+        for (std::size_t slot = 0; slot < valued_.size(); ++slot) {
+            const Step& step = program_.parts()[slot];
+            if (step.role == Step::Role::constant) {
+                valued_[slot].w = valued_[slot].end = Box(meaning_.constant(step.source));
+            }
+            exponents_.push_back(step.is_operation() && step.kind == Kind::pow
+                                     ? meaning_.rational(step.source.arg(1))
+                                     : std::nullopt);
+        }
+        if (meaning_.path != nullptr) {
+            const auto line = contact::as_linear(*meaning_.path_argument, variable_);
+            if (!line) {
+                throw Error("a contact's edge that is not linear in the variable of an integral");
+            }
+            offset_ = meaning_.constant(line->at_origin);
+            rate_ = meaning_.constant(line->rate);
+        }
+    }
 
     /// True if the formula reduces to the constant 0.
-    [[nodiscard]] bool vanishes() const;
+    [[nodiscard]] bool vanishes() const {
+        const Step& result = program_.parts()[program_.result()];
+        const Rational* q = result.source.rational();
+        return result.role == Step::Role::constant && q != nullptr && *q == 0;
+    }
     enum class Centre {
         rooted, ///< n is as large as needed for roots of parts that vanish at the centre
         pole,   ///< n = 1, v of either sign; zeros at the centre are ignored if one is under a root
@@ -53,18 +84,44 @@ public:
     };
     /// Sets the centre e = `at`, where the variable is `written`, with v towards greater values
     /// (direction 1) or smaller ones (-1). `angle`: the angle of e on the path, if there is one.
-    void centre(const Expr& written, const Ball& at, int direction, const Ball& angle, Centre kind);
+    void centre(const Expr& written, const Ball& at, int direction, const Ball& angle,
+                Centre kind) {
+        written_ = written;
+        direction_ = certainly_negative(rate_) ? -direction : direction;
+        start_ = Box(meaning_.path != nullptr ? angle : at);
+        power_ = 1;
+        std::fill(zero_.begin(), zero_.end(), false);
+        std::fill(sloped_.begin(), sloped_.end(), false);
+        if (kind != Centre::regular) {
+            find_zeros();
+            choose_power(kind);
+        }
+        mark_slopes();
+    }
     /// Returns n; it is 1 if nothing is singular.
     [[nodiscard]] long power() const { return power_; }
     /// Returns f d(variable)/dv, without the sign of the direction. `analytic`: the result is not
     /// finite if the function may not be holomorphic on the whole box.
-    void at(acb_ptr out, const Box& v, bool analytic);
+    void at(acb_ptr out, const Box& v, bool analytic) {
+        check_interruption();
+        run(v, analytic);
+        const ValuedBox& f = valued_[program_.result()];
+        Box y = f.w;
+        multiply_by_power(y, f.k + power_ - 1);
+        acb_mul_si(out, y.get(), power_, bits_);
+        if (meaning_.path != nullptr) {
+            acb_mul(out, out, by_angle_.get(), bits_);
+        }
+    }
     /// The lowest power of v in f and its factor (v^n = +-(variable - e)).
     struct Leading {
         long power;
         Box factor;
     };
-    [[nodiscard]] Leading leading(const Box& v);
+    [[nodiscard]] Leading leading(const Box& v) {
+        run(v, true);
+        return {valued_[program_.result()].k, valued_[program_.result()].w};
+    }
 
 private:
     /// A value v^k w. If needed, for k = 0, w is also given as end + v^n slope.
@@ -80,14 +137,43 @@ private:
     /// The inputs of the program: the variable, and with a path b and P' at its argument.
     enum Input { of_variable, of_edge, of_force_rate };
     [[nodiscard]] static std::vector<Expr> inputs(const std::string& variable,
-                                                  const IntegrandMeaning& meaning);
+                                                  const IntegrandMeaning& meaning) {
+        std::vector<Expr> all{Expr::symbol(variable)};
+        if (meaning.path != nullptr) {
+            all.push_back(Expr::call("bof", {*meaning.path_argument}));
+            all.push_back(Expr::call("P1of", {*meaning.path_argument}));
+        }
+        return all;
+    }
     /// Checks that a part has an enclosure, and replaces functions of the contact by formulas.
     [[nodiscard]] std::optional<Expr> written_out(const Expr& part) const;
     [[nodiscard]] const ValuedBox& part(const Step& step, std::size_t k) const {
         return valued_[step.operands[k]];
     }
-    void run(const Box& v, bool analytic);
-    void multiply_by_power(Box& y, long k) const;
+
+    void run(const Box& v, bool analytic) {
+        v_ = v;
+        analytic_ = analytic;
+        acb_pow_ui(vn_.get(), v.get(), static_cast<ulong>(power_), bits_);
+        Box at = start_;
+        (direction_ > 0 ? acb_add : acb_sub)(at.get(), at.get(), vn_.get(), bits_);
+        place(at);
+        apply_zero(of_variable);
+        for (std::size_t slot = 0; slot < valued_.size(); ++slot) {
+            if (program_.parts()[slot].is_operation()) {
+                take(slot);
+            }
+        }
+    }
+
+    void multiply_by_power(Box& y, long k) const {
+        if (k == 0) {
+            return;
+        }
+        Box factor(bits_);
+        acb_pow_si(factor.get(), v_.get(), k, bits_);
+        acb_mul(y.get(), y.get(), factor.get(), bits_);
+    }
     /// Returns v^k w.
     [[nodiscard]] Box plain(const ValuedBox& x) const {
         Box y = x.w;
@@ -95,16 +181,141 @@ private:
         return y;
     }
     /// Computes the inputs, at one of the points of the variable or of the path.
-    void place(const Box& at);
+    void place(const Box& at) {
+        ValuedBox& variable = valued_[of_variable];
+        variable.k = 0;
+        if (meaning_.path == nullptr) {
+            variable.w = at;
+            variable.end = start_;
+            acb_set_si(variable.slope.get(), direction_);
+            return;
+        }
+        ValuedBox& edge = valued_[of_edge];
+        const auto in_variable = [&](Box s) { return (std::move(s) - offset_) * (1 / rate_); };
+        const TiltedPath::Point here = meaning_.path->at(at);
+        variable.w = in_variable(here.s);
+        by_angle_ = here.ds * (1 / abs(rate_));
+        edge.w = here.b;
+        valued_[of_force_rate].w = here.rate;
+        acb_indeterminate(valued_[of_force_rate].slope.get());
+        if (wants_slopes_) {
+            // A derivative over the convex box that contains the segment encloses the quotient.
+            const TiltedPath::Point end = meaning_.path->at(start_);
+            const TiltedPath::Point over = meaning_.path->at(Box::hull(start_, at));
+            variable.end = in_variable(end.s);
+            edge.end = end.b;
+            find_slope(variable, over.ds * (1 / rate_));
+            find_slope(edge, over.db);
+        }
+    }
     /// Computes the slope from the values at the point and at the centre, and from the derivative
     /// between them. The former is narrow if the box is narrow, the latter near the centre.
-    void find_slope(ValuedBox& x, const Box& derivative) const;
+    void find_slope(ValuedBox& x, const Box& derivative) const {
+        x.slope = direction_ > 0 ? derivative : -derivative;
+        const Box quotient = (x.w - x.end) / vn_;
+        if (!derivative.is_finite()) {
+            x.slope = quotient;
+        } else if (quotient.is_finite()) {
+            arb_ptr re = acb_realref(x.slope.get());
+            arb_ptr im = acb_imagref(x.slope.get());
+            arb_intersection(re, re, acb_realref(quotient.get()), bits_);
+            arb_intersection(im, im, acb_imagref(quotient.get()), bits_);
+        }
+    }
     /// Finds the slots that are proved to be zero at v = 0.
-    void find_zeros();
+    void find_zeros() {
+        v_ = Box(bits_);
+        analytic_ = false;
+        vn_ = Box(bits_);
+        wants_slopes_ = false;
+        std::vector<std::size_t> found;
+        const auto look = [&](std::size_t slot, bool candidate, const Expr& written) {
+            ValuedBox& value = valued_[slot];
+            if (candidate && value.w.contains_zero() &&
+                meaning_.surely_zero(substitute(written, variable_, written_))) {
+                found.push_back(slot);
+                acb_zero(value.w.get());
+            }
+            value.end = value.w;
+        };
+        place(start_);
+        for (std::size_t slot = 0; slot < valued_.size(); ++slot) {
+            const Step& step = program_.parts()[slot];
+            if (step.is_operation()) {
+                take(slot);
+                look(slot, step.kind == Kind::add || step.kind == Kind::sub, step.source);
+            } else if (step.role == Step::Role::input) {
+                look(slot, slot == of_variable, step.source);
+            }
+        }
+        for (const std::size_t slot : found) {
+            zero_[slot] = true;
+        }
+    }
     /// Finds the least n for which all powers of v are integers.
-    void choose_power(Centre kind);
+    void choose_power(Centre kind) {
+        std::vector<Rational> order(valued_.size(), Rational(0));
+        order[of_variable] = zero_[of_variable] ? 1 : 0;
+        Integer common = 1;
+        bool roots = false; // of parts that vanish at the centre
+        for (std::size_t slot = 0; slot < valued_.size(); ++slot) {
+            const Step& step = program_.parts()[slot];
+            Rational& here = order[slot];
+            const auto part = [&](std::size_t k) -> const Rational& {
+                return order[step.operands[k]];
+            };
+            if (zero_[slot]) {
+                here = 1;
+            }
+            if (zero_[slot] || !step.is_operation()) {
+                continue;
+            }
+            switch (step.kind) {
+            case Kind::neg:
+                here = part(0);
+                break;
+            case Kind::add:
+            case Kind::sub:
+                here = std::min(part(0), part(1));
+                break;
+            case Kind::mul:
+                here = part(0) + part(1);
+                break;
+            case Kind::div:
+                here = part(0) - part(1);
+                break;
+            case Kind::pow:
+                if (const auto& exponent = exponents_[slot]) {
+                    here = part(0) * *exponent;
+                    roots = roots || (part(0) != 0 && denominator(*exponent) != 1);
+                }
+                break;
+            default:
+                if (step.source.builtin() == formula::Builtin::sqrt) {
+                    here = part(0) / 2;
+                    roots = roots || part(0) != 0;
+                }
+            }
+            common = lcm(common, Integer(denominator(here)));
+        }
+        if (kind == Centre::rooted ? common > most_rooted : roots) {
+            std::fill(zero_.begin(), zero_.end(), false);
+        } else {
+            power_ = common.convert_to<long>();
+        }
+    }
     /// Marks the parts that are needed for the divided differences of zeros.
-    void mark_slopes();
+    void mark_slopes() {
+        for (std::size_t slot = valued_.size(); slot-- > 0;) {
+            sloped_[slot] = sloped_[slot] || zero_[slot];
+            if (sloped_[slot]) {
+                for (const std::size_t operand : program_.parts()[slot].operands) {
+                    sloped_[operand] = true;
+                }
+            }
+        }
+        wants_slopes_ = std::ranges::any_of(sloped_, [](bool x) { return x; });
+    }
 
     /// Computes an operation of the program.
     void take(std::size_t slot);
@@ -116,6 +327,9 @@ private:
     void take_function(const Step& step, std::size_t slot);
     /// Applies the proof that a slot is zero at v = 0.
     void apply_zero(std::size_t slot);
+
+    using Kind = Expr::Kind;
+    static constexpr long most_rooted = 64; ///< n of e +- v^n
 
     std::string variable_;
     IntegrandMeaning meaning_;

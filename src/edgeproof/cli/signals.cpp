@@ -188,7 +188,6 @@ void open_standard_streams() {
 }
 
 void take_signals() {
-    io::adopt_orphans();
     const sigset_t set = ending_signals();
     for (const int signal : {SIGINT, SIGTERM}) {
         std::signal(signal,

@@ -15,7 +15,9 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
+#include <memory>
 
 extern char** environ; // NOLINT: POSIX names it so
 
@@ -55,27 +57,15 @@ struct Pipe {
     }
 };
 
-/// A program that stops reading must not end this process: SIGPIPE is blocked in this thread.
-class NoBrokenPipe {
-public:
-    NoBrokenPipe() {
-        sigemptyset(&pipe_);
-        sigaddset(&pipe_, SIGPIPE);
-        pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+/// A file without a name that contains the text, at its beginning.
+std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_with(const std::string& text) {
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
+    if (file == nullptr || std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
+        std::fflush(file.get()) != 0 || ::lseek(::fileno(file.get()), 0, SEEK_SET) != 0) {
+        throw Error(std::string("cannot write the input of a program: ") + std::strerror(errno));
     }
-    ~NoBrokenPipe() {
-        const timespec at_once{};
-        while (sigtimedwait(&pipe_, nullptr, &at_once) > 0) {
-        }
-        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-    }
-    NoBrokenPipe(const NoBrokenPipe&) = delete;
-    NoBrokenPipe& operator=(const NoBrokenPipe&) = delete;
-
-private:
-    sigset_t pipe_{};
-    sigset_t before_{};
-};
+    return file;
+}
 
 std::vector<char*> pointers_to(std::vector<std::string>& texts) {
     std::vector<char*> pointers;
@@ -132,21 +122,6 @@ pid_t start(const ProgramCall& call, const std::string& mark, int in, int out, i
     return pid;
 }
 
-/// Writes input without waiting. Returns false if all is written or the program stopped reading.
-bool feed(int fd, const std::string& input, std::size_t& at) {
-    while (at < input.size()) {
-        const ssize_t n = ::write(fd, input.data() + at, input.size() - at);
-        if (n > 0) {
-            at += static_cast<std::size_t>(n);
-        } else if (errno == EAGAIN) {
-            return true;
-        } else if (errno != EINTR) {
-            return false;
-        }
-    }
-    return false;
-}
-
 /// Passes on the available output, up to most_bytes_at_once, without waiting. Returns false at the
 /// end.
 template <class Take> bool drain(int fd, const Take& take) {
@@ -192,18 +167,16 @@ ProgramRun run_program(const ProgramCall& call) {
     const auto late = [&] {
         return std::chrono::duration<double>(Clock::now() - begun).count() >= call.seconds;
     };
-    const NoBrokenPipe guard;
-    Pipe in;
+    const auto input = file_with(call.input);
     Pipe out;
     Pipe err;
     ProgramRun run;
     const std::string mark = new_mark();
-    ChildGroup child([&] { return start(call, mark, in.read.fd, out.write.fd, err.write.fd); },
-                     mark);
-    in.read.close();
+    ChildGroup child(
+        [&] { return start(call, mark, ::fileno(input.get()), out.write.fd, err.write.fd); }, mark);
     out.write.close();
     err.write.close();
-    for (const int fd : {in.write.fd, out.read.fd, err.read.fd}) {
+    for (const int fd : {out.read.fd, err.read.fd}) {
         ::fcntl(fd, F_SETFL, O_NONBLOCK);
     }
     const auto keep = [&](std::string_view text) {
@@ -224,11 +197,7 @@ ProgramRun run_program(const ProgramCall& call) {
             err.read.close();
         }
     };
-    std::size_t written = 0;
     while (!run.too_much && !run.timed_out) {
-        if (in.write.fd >= 0 && !feed(in.write.fd, call.input, written)) {
-            in.write.close();
-        }
         // The end of the program is checked before its output is read, so that the output is
         // complete. Processes that it left may keep the pipes open; they are not waited for.
         const bool ended = child.ended();
@@ -238,8 +207,7 @@ ProgramRun run_program(const ProgramCall& call) {
             break;
         }
         run.timed_out = late();
-        std::array<pollfd, 3> ends{pollfd{out.read.fd, POLLIN, 0}, pollfd{err.read.fd, POLLIN, 0},
-                                   pollfd{in.write.fd, POLLOUT, 0}};
+        std::array<pollfd, 2> ends{pollfd{out.read.fd, POLLIN, 0}, pollfd{err.read.fd, POLLIN, 0}};
         const bool silent = out.read.fd < 0;
         ::poll(ends.data(), ends.size(), silent ? look_for_the_end_every_ms : look_every_ms);
     }

@@ -2,7 +2,8 @@
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
 
-#include <algorithm>
+#include <cctype>
+#include <string>
 
 namespace edgeproof::io {
 
@@ -64,97 +65,12 @@ bool has_control(std::string_view text) {
 
 namespace {
 
-class NestingScan {
-public:
-    NestingScan(std::string_view text, const std::string& file) : text_(text), file_(file) {}
-
-    void run() {
-        while (at_ < text_.size()) {
-            const char c = text_[at_];
-            if (c == '"' || c == '\'') {
-                skip_string(c);
-                continue;
-            }
-            if (c == '#') {
-                at_ = std::min(text_.find('\n', at_), text_.size());
-                continue;
-            }
-            step(c);
-            ++at_;
-        }
-    }
-
-private:
-    void step(char c) {
-        switch (c) {
-        case '\n':
-            ++line_;
-            dots_ = 0;
-            break;
-        case '[':
-        case '{':
-            dots_ = 0;
-            if (++open_ > most_toml_nesting) {
-                reject("brackets are nested more than ");
-            }
-            break;
-        case ']':
-        case '}':
-            dots_ = 0;
-            open_ -= open_ > 0 ? 1 : 0;
-            break;
-        case '=':
-        case ',':
-            dots_ = 0;
-            break;
-        case '.':
-            if (++dots_ >= most_toml_nesting) {
-                reject("a key joins names by dots, more than ");
-            }
-            break;
-        default:
-            break;
-        }
-    }
-
-    /// Skips the string that begins here, on one line or several.
-    void skip_string(char quote) {
-        const std::string three(3, quote);
-        if (!text_.substr(at_).starts_with(three)) {
-            ++at_;
-            while (at_ < text_.size() && text_[at_] != quote && text_[at_] != '\n') {
-                at_ += quote == '"' && text_[at_] == '\\' ? 2 : 1;
-            }
-            at_ += at_ < text_.size() && text_[at_] == quote ? 1 : 0; // a newline also ends it
-            return;
-        }
-        at_ += three.size();
-        while (at_ < text_.size() && !text_.substr(at_).starts_with(three)) {
-            line_ += text_[at_] == '\n' ? 1 : 0;
-            const bool escape = quote == '"' && text_[at_] == '\\';
-            line_ += escape && at_ + 1 < text_.size() && text_[at_ + 1] == '\n' ? 1 : 0;
-            at_ += escape ? 2 : 1;
-        }
-        at_ += three.size();
-        // Up to two more quotes belong to the string.
-        for (int more = 0; more < 2 && at_ < text_.size() && text_[at_] == quote; ++more) {
-            ++at_;
-        }
-    }
-
-    [[noreturn]] void reject(const std::string& what) const {
-        throw InputError(what + std::to_string(most_toml_nesting) + " levels deep",
-                         "write key = \"value\" lines under [section] headers")
-            .at(file_, line_);
-    }
-
-    std::string_view text_;
-    const std::string& file_;
-    std::size_t at_ = 0;
-    std::size_t line_ = 1;
-    std::size_t open_ = 0; ///< open brackets
-    std::size_t dots_ = 0; ///< of the current key
-};
+/// True for a character of a name, or of the quotes around it.
+bool is_of_name(char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return std::isalnum(byte) != 0 || byte >= 0x80U || c == '_' || c == '-' || c == '"' ||
+           c == '\'';
+}
 
 } // namespace
 
@@ -164,7 +80,30 @@ void check_toml_limits(std::string_view text, const std::string& file) {
                          "write a TOML file of at most " + std::to_string(most_toml_bytes))
             .at(file, 1);
     }
-    NestingScan(text, file).run();
+    std::size_t line = 1;
+    std::size_t dots = 0; // between names without a blank in them
+    char before = ' ';    // the last character that is no blank
+    bool blank = true;    // one stands between
+    for (const char c : text) {
+        line += c == '\n' ? 1 : 0;
+        if (c == ' ' || c == '\t') {
+            blank = true;
+            continue;
+        }
+        if (c == '.' && is_of_name(before)) {
+            ++dots;
+        } else if (!is_of_name(c) || (blank && is_of_name(before))) {
+            dots = 0;
+        }
+        if (dots >= most_toml_nesting) {
+            throw InputError("a key joins names by dots, more than " +
+                                 std::to_string(most_toml_nesting) + " levels deep",
+                             "write key = \"value\" lines under [section] headers")
+                .at(file, line);
+        }
+        before = c;
+        blank = false;
+    }
 }
 
 } // namespace edgeproof::io

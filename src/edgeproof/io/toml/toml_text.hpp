@@ -20,13 +20,13 @@ namespace edgeproof::io {
 [[nodiscard]] bool has_control(std::string_view text);
 
 inline constexpr std::size_t most_toml_bytes = 10'000'000;
-/// The most names that one key or header may join by dots, and the most open brackets. toml++ and
-/// its destructors recurse once per level.
+/// The most names that one key or header may join by dots: the destructors of toml++ recurse once
+/// per level. (It limits brackets by itself.)
 inline constexpr std::size_t most_toml_nesting = 32;
 
-/// Throws InputError with the line for a text of more than most_toml_bytes, or one nested deeper
-/// than most_toml_nesting. Checks only brackets and dots outside strings and comments; other errors
-/// are left to the parser.
+/// Throws InputError with the line for a text of more than most_toml_bytes, or with as many names
+/// joined by dots as most_toml_nesting, also in a string or a comment. Other errors are left to the
+/// parser.
 void check_toml_limits(std::string_view text, const std::string& file);
 
 } // namespace edgeproof::io

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers/answers.hpp"
 
+#include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/number_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
+#include "edgeproof/scene/input/scene_words.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -31,53 +33,27 @@ public:
     [[nodiscard]] bool possible() const { return csv_.column("quantity") && !keys_.empty(); }
 
     [[nodiscard]] Question read(const io::Csv::Row& row, const std::string& id) {
-        Question q;
-        q.id = id;
-        q.line = row.line;
-        const std::string quantity = cell(row, "quantity");
-        const auto named = scene::quantity_named(quantity);
-        if (!named) {
-            reject(row, "unknown quantity '" + quantity + "'",
-                   "keep the question's cells as they are and add the value");
+        std::map<std::string, std::string> where;
+        for (const char* const key : {"edge", "u", "body", "tolerance"}) {
+            if (const std::string text = cell(row, key); !text.empty()) {
+                where.emplace(key, text);
+            }
         }
-        q.quantity = named->quantity;
-        q.k = named->k;
+        where.emplace("at", cell(row, "x") + "," + cell(row, "z"));
+        Question q = io::at_place(csv_.file, row.line, [&] {
+            Question asked{scene::asked_value(cell(row, "quantity"), where, {}), id, 0, row.line};
+            asked.place.reset();
+            // A point outside the contact is a row without a reference, but not an error.
+            asked.u = asked.at_point() ? std::optional(formula::Exact::parse(cell(row, "u")))
+                                       : std::nullopt;
+            return asked;
+        });
         q.contact = contact_of(row);
         check_askable(to_.contacts[q.contact], q, csv_.file, row.line);
-        if (q.at_edge()) {
-            const std::string name = cell(row, "edge");
-            const auto edge = scene::edge_named(name);
-            if (!edge) {
-                reject(row, "there is no edge '" + name + "'", "write right or left");
-            }
-            q.edge = *edge;
-        }
-        if (q.at_point()) {
-            q.u = number_of(row, "u");
-        }
-        if (row_of(q.quantity).place == scene::QuantityRow::Place::body) {
-            const std::string body = cell(row, "body");
-            if (body != "A" && body != "B") {
-                reject(row, "there is no body '" + body + "'", "write A or B");
-            }
-            q.in_body = {number_of(row, "x"), number_of(row, "z"),
-                         body == "A" ? scene::Body::A : scene::Body::B};
-        }
-        if (q.to_a_tolerance()) {
-            try {
-                q.tolerance = scene::parse_tolerance(cell(row, "tolerance"));
-            } catch (const InputError& error) {
-                reject(row, error.problem(), "repeat the tolerance of the question");
-            }
-        }
         return q;
     }
 
 private:
-    [[noreturn]] void reject(const io::Csv::Row& row, const std::string& problem,
-                             const std::string& instead) const {
-        throw InputError(problem, instead).at(csv_.file, row.line);
-    }
     [[nodiscard]] std::size_t contact_of(const io::Csv::Row& row) {
         std::string all;
         for (const auto& [key, at] : keys_) {
@@ -99,16 +75,6 @@ private:
     [[nodiscard]] std::string cell(const io::Csv::Row& row, std::string_view name) const {
         const auto column = csv_.column(name);
         return column ? row.cells[*column] : "";
-    }
-    /// A point outside the contact is a row without a reference, but not an error.
-    [[nodiscard]] formula::Exact number_of(const io::Csv::Row& row, const std::string& name) const {
-        const std::string text = cell(row, name);
-        try {
-            return formula::Exact::parse(text);
-        } catch (const Error&) {
-            reject(row, name + " = '" + text + "' is no number",
-                   "repeat the " + name + " of the question");
-        }
     }
 
     const io::Csv& csv_;

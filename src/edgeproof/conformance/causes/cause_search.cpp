@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/causes/cause_search.hpp"
-
 #include "edgeproof/conformance/causes/readings.hpp"
-#include "edgeproof/conformance/causes/varying_factor.hpp"
 #include "edgeproof/diagnose/factors.hpp"
 
 #include <fmt/format.h>

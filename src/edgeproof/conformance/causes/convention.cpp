@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/causes/convention.hpp"
 
-#include "edgeproof/conformance/causes/cause_search.hpp"
-#include "edgeproof/conformance/causes/wrong_rows.hpp"
+#include "edgeproof/conformance/causes/readings.hpp"
 
 #include <algorithm>
 #include <iterator>

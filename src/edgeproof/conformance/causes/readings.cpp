@@ -204,39 +204,25 @@ bool Readings::contradicted(std::size_t reading, double most) {
 }
 
 Values Readings::found(const Reading& reading, const std::vector<std::size_t>& which) {
-    Questions otherwise{answers_.questions.file, {}, {}};
-    std::map<std::size_t, std::optional<std::size_t>> contacts;
-    std::vector<std::size_t> of;
-    for (std::size_t k = 0; k < which.size(); ++k) {
-        Question q = answers_.questions.list[which[k]];
-        try {
-            const auto [known, is_new] = contacts.try_emplace(q.contact);
-            if (is_new) {
-                AskedContact contact = answers_.questions.contacts[q.contact];
-                if (!reading.contact || reading.contact(contact.scene, mistakes_in(q.contact))) {
-                    known->second = otherwise.contacts.size();
-                    otherwise.contacts.push_back(std::move(contact));
-                }
-            }
-            if (!known->second ||
-                (reading.place && !reading.place(q, otherwise.contacts[*known->second].scene))) {
-                continue;
-            }
-            q.contact = *known->second;
-        } catch (const Error&) { // not a valid contact
-            continue;
-        }
-        otherwise.list.push_back(std::move(q));
-        of.push_back(k);
-    }
-    const auto found = references_or_why(otherwise, options_, false);
-    Values values(which.size());
-    for (std::size_t k = 0; k < of.size(); ++k) {
-        const auto& reference = found[k].reference;
-        if (reference && !contains_zero(reference->value.value)) {
-            const Real& value = reference->value.value.midpoint();
-            values[of[k]] = reading.value ? reading.value(value) : std::optional(value);
-        }
+    std::vector<Way> ways;
+    std::ranges::transform(which, std::back_inserter(ways),
+                           [](std::size_t i) { return Way(i, 0); });
+    const auto found = values_otherwise(
+        answers_.questions, ways,
+        [&](const Way& way, AskedContact& contact) {
+            const std::size_t index = answers_.questions.list[way.first].contact;
+            return !reading.contact || reading.contact(contact.scene, mistakes_in(index));
+        },
+        [&](const Way&, Question& q, const scene::Scene& scene) {
+            return !reading.place || reading.place(q, scene);
+        },
+        options_);
+    Values values;
+    for (const Way& way : ways) {
+        const auto ball = found.find(way);
+        const bool known = ball != found.end() && !contains_zero(ball->second);
+        const Value value = known ? Value(ball->second.midpoint()) : Value();
+        values.push_back(value && reading.value ? reading.value(*value) : value);
     }
     return values;
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/conformance/causes/convention.hpp"
 #include "edgeproof/conformance/causes/wrong_rows.hpp"
 #include "edgeproof/diagnose/mistakes.hpp"
 #include "edgeproof/precision/real.hpp"
@@ -62,5 +61,13 @@ private:
     std::map<std::size_t, Reading::Mistakes> mistakes_;
     std::vector<std::vector<std::size_t>> right_; ///< some right rows of each quantity
 };
+
+/// Searches rows with wrong values for questions interpreted differently and for
+/// factors, as infer_conventions() describes. `known`: as there.
+[[nodiscard]] std::vector<Convention> causes_of_wrong_rows(const Answers& answers,
+                                                           const Agreements& agreements,
+                                                           const std::vector<std::size_t>& failing,
+                                                           const ReferenceOptions& options,
+                                                           KnownReadings& known);
 
 } // namespace edgeproof::conformance

@@ -9,8 +9,10 @@
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -143,6 +145,43 @@ std::vector<ReferenceOrWhy> references_or_why(const Questions& questions,
     return results;
 }
 
+std::map<Way, Ball>
+values_otherwise(const Questions& questions, const std::vector<Way>& ways,
+                 const std::function<bool(const Way&, AskedContact&)>& change,
+                 const std::function<bool(const Way&, Question&, const scene::Scene&)>& place,
+                 const ReferenceOptions& options) {
+    Questions asked{questions.file, {}, {}};
+    std::vector<Way> asked_ways;
+    std::map<Way, std::optional<std::size_t>> contacts; // by contact and way
+    for (const Way& way : ways) {
+        Question q = questions.list[way.first];
+        try {
+            const auto [known, is_new] = contacts.try_emplace({q.contact, way.second});
+            if (is_new) {
+                AskedContact contact = questions.contacts[q.contact];
+                if (change(way, contact)) {
+                    known->second = asked.contacts.size();
+                    asked.contacts.push_back(std::move(contact));
+                }
+            }
+            if (known->second && place(way, q, asked.contacts[*known->second].scene)) {
+                q.contact = *known->second;
+                asked.list.push_back(std::move(q));
+                asked_ways.push_back(way);
+            }
+        } catch (const Error&) { // no valid contact
+        }
+    }
+    const auto found = references_or_why(asked, options, false);
+    std::map<Way, Ball> values;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        if (found[k].reference) {
+            values.emplace(asked_ways[k], found[k].reference->value.value);
+        }
+    }
+    return values;
+}
+
 namespace {
 
 constexpr unsigned neighbour_digits = 34;
@@ -184,106 +223,6 @@ std::vector<Number> numbers_of(const AskedContact& contact) {
     return numbers;
 }
 
-/// Returns the contact with one of its numbers changed, or nothing if there is no such contact.
-std::optional<AskedContact> moved_contact(const AskedContact& contact, const Number& number,
-                                          int side, const std::string& file, std::size_t line) {
-    const auto value = neighbour(number.value, side);
-    if (!value) {
-        return {};
-    }
-    std::vector<Parameter> parameters = contact.parameters;
-    std::vector<std::string> items = parameters[number.parameter].items();
-    items[number.item] = value->text();
-    parameters[number.parameter].set_items(items);
-    try {
-        return make_asked_contact(std::move(parameters), file, line);
-    } catch (const Error&) { // no contact on this side
-        return {};
-    }
-}
-
-/// A question, and the index of a number: those of the contact, then u or the tolerance.
-using Change = std::pair<std::size_t, std::size_t>;
-
-class Neighbours {
-public:
-    Neighbours(const Questions& questions, const std::vector<std::size_t>& which)
-        : questions_(questions), which_(which) {
-        for (const std::size_t i : which) {
-            const std::size_t contact = questions.list[i].contact;
-            if (!numbers_.contains(contact)) {
-                numbers_.emplace(contact, numbers_of(questions.contacts[contact]));
-            }
-        }
-    }
-
-    /// Computes the values of the questions with one number changed, if they are not known yet.
-    void find(int side, const ReferenceOptions& options) {
-        Questions asked{questions_.file, {}, {}};
-        std::vector<Change> changes;
-        std::map<std::pair<std::size_t, std::size_t>, std::optional<std::size_t>> contacts;
-        for (const std::size_t i : which_) {
-            const Question& q = questions_.list[i];
-            const std::vector<Number>& numbers = numbers_.at(q.contact);
-            for (std::size_t n = 0; n < numbers.size() + (q.u || q.tolerance ? 1 : 0); ++n) {
-                const bool of_contact = n < numbers.size();
-                if (values_.contains({i, n})) {
-                    continue;
-                }
-                const auto [found, is_new] = contacts.try_emplace({q.contact, n});
-                if (is_new) {
-                    const AskedContact& same = questions_.contacts[q.contact];
-                    auto contact =
-                        of_contact ? moved_contact(same, numbers[n], side, questions_.file, q.line)
-                                   : same;
-                    if (contact) {
-                        found->second = asked.contacts.size();
-                        asked.contacts.push_back(std::move(*contact));
-                    }
-                }
-                Question changed = q;
-                std::optional<formula::Exact>& place = q.u ? changed.u : changed.tolerance;
-                if (!of_contact) {
-                    place = neighbour(*place, side);
-                }
-                if (found->second && (of_contact || place)) { // else it is beyond a double's range
-                    changed.contact = *found->second;
-                    asked.list.push_back(std::move(changed));
-                    changes.emplace_back(i, n);
-                }
-            }
-        }
-        const auto found = references_or_why(asked, options, false);
-        for (std::size_t k = 0; k < found.size(); ++k) {
-            if (const auto& reference = found[k].reference) {
-                values_.emplace(changes[k], reference->value.value.midpoint());
-            }
-        }
-    }
-
-    /// Returns nothing if a number other than 0 has no neighbour with a value.
-    [[nodiscard]] std::optional<Conditioning> of(std::size_t i, const Real& exact) const {
-        const Question& q = questions_.list[i];
-        const std::vector<Number>& numbers = numbers_.at(q.contact);
-        Real sum = 0;
-        for (std::size_t n = 0; n < numbers.size() + (q.u || q.tolerance ? 1 : 0); ++n) {
-            const auto found = values_.find({i, n});
-            if (found != values_.end()) {
-                sum += abs(Real(found->second / exact - 1));
-            } else if (n >= numbers.size() || numbers[n].value.sign() != 0) {
-                return {};
-            }
-        }
-        return Conditioning{sum.convert_to<double>()};
-    }
-
-private:
-    const Questions& questions_;
-    const std::vector<std::size_t>& which_;
-    std::map<std::size_t, std::vector<Number>> numbers_; ///< by contact
-    std::map<Change, Real> values_;
-};
-
 } // namespace
 
 std::vector<std::optional<Conditioning>> conditioning(const Questions& questions,
@@ -292,14 +231,67 @@ std::vector<std::optional<Conditioning>> conditioning(const Questions& questions
                                                       ReferenceOptions options) {
     options.digits = {neighbour_digits, Rounding::nearest, false};
     const PrecisionScope scope(neighbour_digits + 10);
-    Neighbours neighbours(questions, which);
-    neighbours.find(1, options);
-    neighbours.find(-1, options);
+    std::map<std::size_t, std::vector<Number>> numbers; // by contact
+    std::vector<Way> ways; // a question, and the number that changes: of the contact, then u or the
+                           // tolerance
+    const auto numbers_in = [&](std::size_t i) -> const std::vector<Number>& {
+        const auto [found, is_new] = numbers.try_emplace(questions.list[i].contact);
+        if (is_new) {
+            found->second = numbers_of(questions.contacts[found->first]);
+        }
+        return found->second;
+    };
+    for (const std::size_t i : which) {
+        const Question& q = questions.list[i];
+        for (std::size_t n = 0; n < numbers_in(i).size() + (q.u || q.tolerance ? 1 : 0); ++n) {
+            ways.emplace_back(i, n);
+        }
+    }
+    std::map<Way, Ball> values;
+    for (const int side : {1, -1}) {
+        std::vector<Way> unknown;
+        std::ranges::copy_if(ways, std::back_inserter(unknown),
+                             [&](const Way& way) { return !values.contains(way); });
+        const auto is_of_contact = [&](const Way& way) {
+            return way.second < numbers_in(way.first).size();
+        };
+        const auto move = [&](const Way& way, AskedContact& contact) {
+            if (!is_of_contact(way)) {
+                return true;
+            }
+            const Number& number = numbers_in(way.first)[way.second];
+            const auto value = neighbour(number.value, side);
+            if (value) {
+                std::vector<std::string> items = contact.parameters[number.parameter].items();
+                items[number.item] = value->text();
+                contact.parameters[number.parameter].set_items(items);
+                contact = make_asked_contact(std::move(contact.parameters), questions.file,
+                                             questions.list[way.first].line);
+            }
+            return value.has_value();
+        };
+        const auto move_place = [&](const Way& way, Question& q, const scene::Scene&) {
+            auto& place = q.u ? q.u : q.tolerance;
+            place = is_of_contact(way) ? place : neighbour(*place, side);
+            return is_of_contact(way) || place; // else it is beyond a double's range
+        };
+        values.merge(values_otherwise(questions, unknown, move, move_place, options));
+    }
     std::vector<std::optional<Conditioning>> result(questions.list.size());
     for (const std::size_t i : which) {
-        const Ball& value = references[i].value.value;
-        if (!contains_zero(value)) {
-            result[i] = neighbours.of(i, value.midpoint());
+        if (!contains_zero(references[i].value.value)) {
+            result[i].emplace();
+        }
+    }
+    for (const auto& [i, n] : ways) {
+        const auto found = values.find({i, n});
+        const auto& of = numbers_in(i);
+        if (result[i] && found != values.end()) {
+            const Real exact = references[i].value.value.midpoint();
+            const Real moved = found->second.midpoint();
+            result[i]->moved += Real(abs(Real(moved / exact - 1))).convert_to<double>();
+        } else if (n >= of.size() || of[n].value.sign() != 0) {
+            result[i].reset(); // a number other than 0 has no neighbour with a value
         }
     }
     return result;

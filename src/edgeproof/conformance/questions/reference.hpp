@@ -5,8 +5,10 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace edgeproof::conformance {
@@ -40,6 +42,17 @@ struct ReferenceOrWhy {
 /// Interrupted.
 [[nodiscard]] std::vector<ReferenceOrWhy>
 references_or_why(const Questions& questions, const ReferenceOptions& options, bool strict = true);
+
+/// A question (by index) asked in another way, by its number.
+using Way = std::pair<std::size_t, std::size_t>;
+/// Returns the values of questions asked in other ways, where they have one. `change` changes the
+/// contact, once for all questions about it that are asked in the same way; `place` the question.
+/// Both may return false, or throw Error, for a way that is none.
+[[nodiscard]] std::map<Way, Ball>
+values_otherwise(const Questions& questions, const std::vector<Way>& ways,
+                 const std::function<bool(const Way&, AskedContact&)>& change,
+                 const std::function<bool(const Way&, Question&, const scene::Scene&)>& place,
+                 const ReferenceOptions& options);
 
 /// The dependence of a value on the numbers of its question.
 struct Conditioning {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/judgement.hpp"
+#include "edgeproof/comparison/comparison.hpp"
 
 #include <fmt/format.h>
 

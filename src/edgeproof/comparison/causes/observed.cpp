@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/causes/observed.hpp"
+#include "edgeproof/comparison/causes/causes.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>

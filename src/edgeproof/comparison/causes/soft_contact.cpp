@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/causes/soft_contact.hpp"
+#include "edgeproof/comparison/causes/causes.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/roots/bracketed_root.hpp"

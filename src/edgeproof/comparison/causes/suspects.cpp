@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/causes/suspects.hpp"
+#include "edgeproof/comparison/causes/causes.hpp"
 #include "edgeproof/diagnose/factors.hpp"
 #include "edgeproof/diagnose/mistakes.hpp"
 #include "edgeproof/precision/error.hpp"

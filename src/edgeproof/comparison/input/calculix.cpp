@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/input/frd_file.hpp"
 #include "edgeproof/comparison/input/result_lines.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"

@@ -4,6 +4,7 @@
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/parts/residual_fit.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
+#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/report/figures/scene_figure.hpp"
@@ -169,9 +170,9 @@ FiguresOfSource figures_of_source(const std::filesystem::path& ledger) {
     std::set<std::string> ids; // they name files
     const auto own_id = [&](const io::TomlSection& section, const char* key,
                             const std::string& id) {
-        if (!ids.insert(id).second) {
-            section.reject(key, id + " is there twice", "name each once");
-        }
+        section.require(io::is_file_stem(id), key, "'" + id + "' cannot name a file",
+                        "write letters, digits, -, _ and .");
+        section.require(ids.insert(id).second, key, id + " is there twice", "name each once");
         return id;
     };
     for (const io::TomlSection& section : top.sections_or_none("figure")) {

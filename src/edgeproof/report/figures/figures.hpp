@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/real.hpp"
 
 #include <cstddef>
@@ -49,7 +48,7 @@ struct PlaneField {
 
 /// One panel: a table, and the columns to be drawn.
 struct Plot {
-    io::FileStem id;         ///< "fig2a": the name of its files
+    std::string id;          ///< "fig2a": the name of its files
     std::string title;       ///< "a) wedge, m = 0"
     std::string description; ///< the picture in words, for readers who cannot see it
     Axis x;

@@ -114,7 +114,7 @@ private:
     [[nodiscard]] std::size_t index_of(const std::string& name) const {
         const auto found = std::find(plot_.columns.begin(), plot_.columns.end(), name);
         if (found == plot_.columns.end()) {
-            throw Error(fmt::format("figure {} has no column {}", plot_.id.text(), name));
+            throw Error(fmt::format("figure {} has no column {}", plot_.id, name));
         }
         return static_cast<std::size_t>(found - plot_.columns.begin());
     }
@@ -232,8 +232,8 @@ std::string draw_svg(const std::vector<Plot>& plots) {
 }
 
 std::string inline_svg(const std::string& svg, const Plot& plot) {
-    const std::string title = plot.id.with("-title");
-    const std::string description = plot.id.with("-desc");
+    const std::string title = plot.id + "-title";
+    const std::string description = plot.id + "-desc";
     std::string out = svg;
     const auto replace = [&](std::string_view from, const std::string& with) {
         out.replace(out.find(from), from.size(), with);

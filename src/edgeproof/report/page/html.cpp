@@ -165,7 +165,7 @@ std::string figures_html(const std::vector<DrawnFigure>& figures) {
 DrawnFigure::Panel drawn_panel(const Plot& plot, const std::string& svg,
                                const std::filesystem::path& folder) {
     write_plot_files(plot, svg, folder);
-    return {plot.id.text(), plot.title, svg.empty() ? "" : inline_svg(svg, plot)};
+    return {plot.id, plot.title, svg.empty() ? "" : inline_svg(svg, plot)};
 }
 
 std::string html_page(const audit::AuditResult& result, const PageFigures& figures,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger/ledger.hpp"
 #include "edgeproof/conformance/answers/answers.hpp"
-#include "edgeproof/conformance/questions/recipe.hpp"
+#include "edgeproof/conformance/questions/question.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 

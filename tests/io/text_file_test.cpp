@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/io/text_file.hpp"
 
-#include "edgeproof/io/error_place.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/support/folder.hpp"
 #include "tests/support/namespaces.hpp"
@@ -88,4 +87,15 @@ TEST_CASE("at_place: Edgeproof's errors get the file, the line and advice; other
     CHECK(placed(Error("no meaning")).find("f.toml:3: no meaning; write ") == 0);
     CHECK(placed(OfItsOwn("stopped")) == "stopped");
     CHECK(placed(std::runtime_error("x")) == "x");
+}
+
+TEST_CASE("SHA-256: the examples of FIPS 180") {
+    // These are the examples of FIPS 180-2, appendix B; the empty text is from NIST's example
+    // values.
+    CHECK(sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    CHECK(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq") ==
+          "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+    CHECK(sha256(std::string(1'000'000, 'a')) ==
+          "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+    CHECK(sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }

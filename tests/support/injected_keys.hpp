@@ -20,7 +20,7 @@
 #include <vector>
 
 /// Mistakes of users, put into right data with noise, test the diagnoses of `edgeproof compare` and
-/// `edgeproof check`. They are made without the catalogue (diagnose/mistakes.hpp),
+/// `edgeproof check`. They are made without the catalogue (diagnose/diagnose.hpp),
 /// which is under test: here by changes of the keys of a scene file, such as "profile.R" -> "2".
 namespace edgeproof::test {
 

@@ -2,7 +2,6 @@
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_options.hpp"
 #include "edgeproof/io/output_file.hpp"
-#include "edgeproof/io/own_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
 
-#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/io/text_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

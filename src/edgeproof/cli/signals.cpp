@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
 
-#include "edgeproof/io/process_cleanup.hpp"
+#include "edgeproof/io/process.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <fcntl.h>

@@ -3,8 +3,8 @@
 /// Comparison of mesh results, tables of x and p with a few correct digits, with the exact contact.
 ///   input/result_table.hpp      ResultTable: a program's table, with any columns and separators
 ///   measures/exact_contact.hpp  ExactContact: the scene's own solution
-///   measures/alignment.hpp      AlignedResult: sign, origin, nodes with their exact pressure
-///   measures/measures.hpp       DataContact: edges and force of the data; EdgeFit: c_0, c_1;
+///   measures/measures.hpp       AlignedResult: sign, origin, nodes with their exact pressure;
+///                               DataContact: edges and force of the data; EdgeFit: c_0, c_1;
 ///                               Errors: relative to the peak, to p itself, in the L2 norm;
 ///                               the error that a correct mesh has by itself
 ///   causes/causes.hpp           Diagnosis: mistakes that would explain wrong data
@@ -12,7 +12,6 @@
 /// data are estimates.
 #include "edgeproof/comparison/causes/causes.hpp"
 #include "edgeproof/comparison/input/result_table.hpp"
-#include "edgeproof/comparison/measures/alignment.hpp"
 #include "edgeproof/comparison/measures/exact_contact.hpp"
 #include "edgeproof/comparison/measures/measures.hpp"
 

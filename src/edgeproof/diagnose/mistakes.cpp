@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/diagnose/mistakes.hpp"
+#include "edgeproof/diagnose/diagnose.hpp"
 
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/formula/parse.hpp"

@@ -3,7 +3,7 @@
 #include "edgeproof/audit/run.hpp"
 #include "edgeproof/comparison/comparison.hpp"
 #include "edgeproof/conformance/answers/answers.hpp"
-#include "edgeproof/conformance/questions/recipe.hpp"
+#include "edgeproof/conformance/questions/question.hpp"
 #include "edgeproof/edgeproof.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/report/tables/agreement_report.hpp"

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/io/process.hpp"
+
+#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,9 +21,9 @@ void write_output(const std::filesystem::path& file, const std::string& text);
 /// Flushes standard output. Throws InputError if any of it, now or earlier, could not be written.
 void finish_standard_output();
 
-/// Throws InputError if the file cannot be written or must not be replaced (own_file.hpp), as far
-/// as can be checked beforehand; for use before long work. Creates nothing. "-" is standard output;
-/// an empty name is no file.
+/// Throws InputError if the file cannot be written or must not be replaced (require_replaceable()),
+/// as far as can be checked beforehand; for use before long work. Creates nothing. "-" is standard
+/// output; an empty name is no file.
 void check_output(const std::filesystem::path& file);
 
 /// Makes a folder (and its parents). Throws InputError if that fails, or if the folder is not
@@ -33,7 +37,7 @@ void check_folder(const std::filesystem::path& folder);
 /// Writes the files of one result, which appear together: `write` writes them into a temporary
 /// folder, which then becomes the target, or whose files are moved into the target if that exists.
 /// If that fails, the target remains as it was. Throws InputError (in the target's names) if a file
-/// cannot be written or must not be replaced (own_file.hpp), or if files vanish meanwhile;
+/// cannot be written or must not be replaced (require_replaceable()), or if files vanish meanwhile;
 /// Interrupted. For a check before long work: check_folder.
 ///
 /// Only SIGKILL or a loss of power can leave the temporary folder ("out.0123456789abcdef.tmp"), or,
@@ -44,5 +48,71 @@ void write_folder(const std::filesystem::path& target,
 /// True for a name of a file, without its ending, that stays in its folder and that no shell reads
 /// in another way: letters, digits, '-', '_' and '.', no '.' or '-' in front, at most 120 bytes.
 [[nodiscard]] bool is_file_stem(std::string_view name);
+
+inline constexpr const char* give_writable_folder =
+    "give a folder that can be written to, with free space";
+
+/// Throws InputError: "cannot WHAT PATH: the text of the error number".
+[[noreturn]] void cannot(const std::string& what, const std::filesystem::path& path, int error);
+
+/// Returns a name next to a file or folder that no other process uses
+/// ("t.csv.0123456789abcdef.tmp").
+[[nodiscard]] std::filesystem::path temporary_name(const std::filesystem::path& target);
+
+/// The files that did not exist before an AtomicFile of this process wrote them.
+[[nodiscard]] std::size_t files_created();
+
+/// The target of a file to be written: links are followed, devices and FIFOs are detected.
+struct OutputTarget {
+    std::filesystem::path path;   ///< not a link
+    int descriptor = -1;          ///< of this process, for /dev/stdout, /dev/fd/N, /proc/self/fd/N
+    bool special = false;         ///< not a regular file: written directly, and never replaced
+    std::optional<unsigned> mode; ///< permissions of an existing file
+    /// Throws InputError for a folder and for a chain of more than forty links.
+    [[nodiscard]] static OutputTarget of(const std::filesystem::path& file);
+};
+
+/// A file whose name appears only when it is complete. A missing folder is created. Throws
+/// InputError if the file cannot be written or replaced (require_replaceable), Interrupted after an
+/// interruption; no text remains then, as without commit(). A link is kept, and its target is
+/// written; an existing file keeps its permissions; a device, a FIFO or an open descriptor is
+/// written directly.
+class AtomicFile {
+public:
+    explicit AtomicFile(std::filesystem::path file);
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    /// Writes the whole text, and gives the file its name.
+    void commit(const std::string& text);
+
+private:
+    std::filesystem::path file_; ///< as the user named it
+    OutputTarget target_;
+    TemporaryPath aside_; ///< its temporary name
+    int fd_ = -1;
+};
+
+// No output replaces a file of the user.
+
+/// Returns the beginning of a file.
+[[nodiscard]] std::string first_bytes(const std::filesystem::path& file);
+
+/// From now on, no file that this process reads is replaced. For a process that runs one command.
+void protect_inputs();
+
+/// Called with each file that this process reads.
+void remember_input(const std::filesystem::path& file);
+
+/// Throws InputError if a text that begins with `head` must not replace the file: it is an
+/// input (protect_inputs), or it is neither empty nor written by this program. A file that this
+/// program wrote contains its name and version as program_line() has them, or, without them, begins
+/// like the new text.
+void require_replaceable(const std::filesystem::path& file, std::string_view head);
+
+/// Throws InputError if no text may replace the file, also no table without notes, which only its
+/// beginning identifies. For use before long work.
+void require_replaceable(const std::filesystem::path& file);
 
 } // namespace edgeproof::io

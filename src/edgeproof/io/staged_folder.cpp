@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/io/atomic_file.hpp"
 #include "edgeproof/io/output_file.hpp"
-#include "edgeproof/io/own_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers/answers.hpp"
-#include "edgeproof/conformance/questions/recipe.hpp"
+#include "edgeproof/conformance/questions/question.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/python/bindings.hpp"
 #include "edgeproof/python/without_gil.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/diagnose/factors.hpp"
+#include "edgeproof/diagnose/diagnose.hpp"
 #include "tests/cli/run_program.hpp"
 #include "tests/support/namespaces.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/answers/agreement.hpp"
+#include "edgeproof/conformance/answers/answers.hpp"
 #include "edgeproof/conformance/causes/convention.hpp"
 #include "edgeproof/io/number_text.hpp"
 #include "edgeproof/precision/error.hpp"

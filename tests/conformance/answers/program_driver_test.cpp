@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers/answers.hpp"
-#include "edgeproof/conformance/questions/recipe.hpp"
-#include "edgeproof/io/child_process.hpp"
+#include "edgeproof/conformance/questions/question.hpp"
+#include "edgeproof/io/process.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/support/namespaces.hpp"
 

@@ -4,7 +4,6 @@
 #include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/audit/ledger/judgement.hpp"
 #include "edgeproof/audit/ledger/ledger_parts.hpp"
-#include "edgeproof/io/error_place.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"

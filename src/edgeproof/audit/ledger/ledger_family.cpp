@@ -3,7 +3,7 @@
 
 #include "edgeproof/audit/ledger/ledger.hpp"
 #include "edgeproof/formula/parse.hpp"
-#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger/ledger.hpp"
 #include "edgeproof/audit/ledger/ledger_parts.hpp"
-#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
 

@@ -2,7 +2,7 @@
 #include "edgeproof/audit/run.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/conformance/answers/answers.hpp"
-#include "edgeproof/conformance/questions/recipe.hpp"
+#include "edgeproof/conformance/questions/question.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/commands/compute.hpp"
-#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/scene/input/readers.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 

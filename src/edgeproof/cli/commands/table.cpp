@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/io/atomic_file.hpp"
+#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/tables/reference_table.hpp"

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/comparison/input/result_table.hpp"
-#include "edgeproof/comparison/measures/alignment.hpp"
 #include "edgeproof/comparison/measures/exact_contact.hpp"
 #include "edgeproof/comparison/measures/measures.hpp"
-#include "edgeproof/diagnose/fit.hpp"
+#include "edgeproof/diagnose/diagnose.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -199,7 +198,7 @@ struct Diagnosis {
 cause_in_digits(const ResultTable& table, const AlignedResult& data, const ExactContact& exact);
 
 /// Compares data with the pressures that a program with each known mistake would compute
-/// (pressure_suspects()), at nodes away from the edges, by diagnose/fit.hpp. In
+/// (pressure_suspects()), at nodes away from the edges, by diagnose/diagnose.hpp. In
 /// addition to noise, the mesh's own error `mesh_error` (measures/measures.hpp) is allowed, at most
 /// three hundredths of the largest pressure. Data that carry too few digits, or are binary32, and
 /// otherwise agree, have that cause. Data that none of these explains, but the scene under the

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/causes/causes.hpp"
-#include "edgeproof/diagnose/factors.hpp"
-#include "edgeproof/diagnose/mistakes.hpp"
+#include "edgeproof/diagnose/diagnose.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <fmt/format.h>

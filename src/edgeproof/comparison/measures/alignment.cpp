@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/comparison/measures/alignment.hpp"
+#include "edgeproof/comparison/measures/measures.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/roots/bracketed_root.hpp"

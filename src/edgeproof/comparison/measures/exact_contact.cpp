@@ -2,7 +2,7 @@
 #include "edgeproof/comparison/measures/exact_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/law/shear.hpp"
-#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/precision.hpp"
 #include "edgeproof/quadrature/gauss_legendre.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/measures/measures.hpp"
 
-#include "edgeproof/diagnose/fit.hpp"
+#include "edgeproof/diagnose/diagnose.hpp"
 #include "edgeproof/io/number_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/roots/power_law_fit.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/answers/agreement.hpp"
+#include "edgeproof/conformance/answers/answers.hpp"
 
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/causes/readings.hpp"
-#include "edgeproof/diagnose/factors.hpp"
+#include "edgeproof/diagnose/diagnose.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/conformance/answers/agreement.hpp"
+#include "edgeproof/conformance/answers/answers.hpp"
 
 #include <cstddef>
 #include <map>
@@ -21,7 +21,7 @@ struct Convention {
     /// Other relations that fit equally well: the answers do not distinguish them.
     std::vector<std::string> also = {};
     double held = 0; ///< the digits of the relation in nine of ten rows
-    /// The name of the cause, as in `edgeproof compare` (diagnose/mistakes.hpp); "factor" for a
+    /// The name of the cause, as in `edgeproof compare` (diagnose/diagnose.hpp); "factor" for a
     /// constant without a name, "varying-factor" for one that is no constant, near named ones.
     std::string name = {};
     double factor = 1;                            ///< of the answers, where the relation has one
@@ -44,12 +44,12 @@ using KnownReadings = std::map<std::string, std::map<std::size_t, std::optional<
 /// 1/2, pi, units of other systems, ... or any other), a sign, and exchanged edges: for each
 /// quantity at both edges, else at one. A cause is accepted if at least 3 failing rows, and 9 of
 /// 10, follow it within their own scatter, this scatter is below 12 %, and it leaves less than a
-/// quarter of the error (fit.hpp). Causes that the scatter does not distinguish are listed
-/// together; of these the cause is reported that explains most rows of all quantities, once for all
-/// that it explains. Causes that would have made right answers wrong are left out if others remain.
-/// A constant without a name is reported only if the remaining errors scatter from point to point:
-/// then it is constant to the accuracy of the answers. If a quantity has no cause, and its answers
-/// are a factor with a name times ours to a tenth, this interval of factors is reported.
+/// quarter of the error (diagnose/diagnose.hpp). Causes that the scatter does not distinguish are
+/// listed together; of these the cause is reported that explains most rows of all quantities, once
+/// for all that it explains. Causes that would have made right answers wrong are left out if others
+/// remain. A constant without a name is reported only if the remaining errors scatter from point to
+/// point: then it is constant to the accuracy of the answers. If a quantity has no cause, and its
+/// answers are a factor with a name times ours to a tenth, this interval of factors is reported.
 ///
 /// Of more than `most_failing` rows with wrong values, the first ones are used.
 ///

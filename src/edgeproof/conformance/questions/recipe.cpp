@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/questions/recipe.hpp"
-#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/conformance/questions/question.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"

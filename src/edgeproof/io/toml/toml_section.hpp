@@ -40,8 +40,9 @@ struct TomlTable {
 class TomlSection {
 public:
     /// Returns the top level of a file. `file` is the name in errors. Refuses a text beyond the
-    /// limits of toml_text.hpp, and control characters other than tab and newline in a key or a
-    /// text. `instead`: keys that replace or add to those of the file; an empty text removes a key.
+    /// limits of check_toml_limits(), and control characters other than tab and newline in a key or
+    /// a text. `instead`: keys that replace or add to those of the file; an empty text removes a
+    /// key.
     [[nodiscard]] static TomlSection parse(std::string_view text, const std::string& file,
                                            const std::vector<TomlTable>& instead = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/io/child_process.hpp"
 #include "edgeproof/io/output_file.hpp"
+#include "edgeproof/io/process.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/figures/figures.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/conformance/questions/recipe.hpp"
+#include "edgeproof/conformance/questions/question.hpp"
 #include "edgeproof/conformance/questions/reference.hpp"
 #include "edgeproof/io/csv.hpp"
 #include "edgeproof/report/tables/table.hpp"

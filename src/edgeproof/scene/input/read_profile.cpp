@@ -2,7 +2,7 @@
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/formula/parse.hpp"
-#include "edgeproof/io/error_place.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"

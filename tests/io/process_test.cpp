@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/io/process_cleanup.hpp"
+#include "edgeproof/io/process.hpp"
 
-#include "edgeproof/io/atomic_file.hpp"
-#include "edgeproof/io/child_process.hpp"
+#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "tests/support/folder.hpp"
 #include "tests/support/namespaces.hpp"

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/precision/real.hpp"
+#include "edgeproof/scene/input/scene_file.hpp"
 
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -116,5 +118,45 @@ void keep_best(std::vector<Candidate>& candidates, double& noise);
 /// deviations (but better by these than a common factor).
 [[nodiscard]] bool constant_is_possible(const Fit& constant, const std::vector<Candidate>& named,
                                         double noise);
+
+/// A factor of values with a cause: 2, pi, units of other systems, -1, ...
+struct NamedFactor {
+    Real value;
+    std::string words; ///< "2 times ", "sqrt(2 pi) times ", "minus "
+    const char* hint;
+    const char* name;
+    bool common; ///< more likely than a mistake in the data of a scene
+};
+[[nodiscard]] std::vector<NamedFactor> named_factors();
+/// True if a quantity ("p", "c_k", ...) may be wrong by the factor of this name.
+[[nodiscard]] inline bool is_possible(std::string_view factor, std::string_view quantity) {
+    return factor != "mean-for-peak" || quantity == "p" || quantity == "c_k";
+}
+
+struct NearFactor {
+    NamedFactor factor;
+    double rest; ///< the greatest relative error that it leaves
+};
+/// Returns the named factors k near numbers of `least` to `most` times the right ones: the rest,
+/// which has another cause, is at most a tenth, and a quarter of the error |k - 1| or |1/k - 1|,
+/// and k is not further from the interval than this is wide (unless they are a constant). If the
+/// nearest is just within these limits, those that are nearly as near are added, too: the numbers
+/// do not distinguish them.
+[[nodiscard]] std::vector<NearFactor> near_factors(double least, double most);
+
+/// A mistake in the data of a scene: one of the catalogue of the mistakes that programs make, for
+/// which `edgeproof compare` and `edgeproof check` search with the same names.
+struct Mistake {
+    std::string_view name;   ///< the name of the cause in the output; several mistakes may share it
+    std::string what;        ///< in words, without a verb: "the diameter instead of the radius"
+    std::string_view advice; ///< what is right
+    std::function<void(scene::Scene&)> change; ///< makes the scene that such a program solves
+};
+
+/// The possible mistakes in the moduli, the profile and the load. The changed scene need not have a
+/// contact. The functions do not refer to `scene`.
+[[nodiscard]] std::vector<Mistake> contact_mistakes(const scene::Scene& scene);
+/// The possible mistakes in [shear], for a scene that has it.
+[[nodiscard]] std::vector<Mistake> shear_mistakes(const scene::Scene& scene);
 
 } // namespace edgeproof::diagnose

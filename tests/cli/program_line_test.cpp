@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/io/csv.hpp"
+#include "edgeproof/io/foreign_text.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 #include "tests/cli/hertz_ledger.hpp"
 #include "tests/cli/run_program.hpp"

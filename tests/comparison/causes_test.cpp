@@ -2,7 +2,6 @@
 #include "edgeproof/comparison/comparison.hpp"
 #include "tests/comparison/hertz_data.hpp"
 #include "tests/comparison/injected_mistakes.hpp"
-#include "tests/comparison/spring_bed.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -366,7 +365,7 @@ TEST_CASE(
     }
 }
 
-// The diagnosis and the simulated program share the gap alone (spring_bed.hpp).
+// The diagnosis and the simulated program share the gap alone (spring_bed.cpp).
 TEST_CASE("causes: two programs with springs in the contact agree") {
     for (const char* const text :
          {"profile.kind=hertz profile.R1=20 profile.R2=50 load.P=300 load.contact_modulus=1e5",

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/comparison/injected_mistakes.hpp"
-#include "tests/comparison/spring_bed.hpp"
 
 #include <fmt/format.h>
 

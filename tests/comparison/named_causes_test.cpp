@@ -5,7 +5,6 @@
 #include "edgeproof/comparison/measures/measures.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "tests/comparison/spring_bed.hpp"
 #include "tests/support/namespaces.hpp"
 #include "tests/support/paths.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/comparison/spring_bed.hpp"
+#include "tests/comparison/injected_mistakes.hpp"
 
 #include "edgeproof/comparison/causes/causes.hpp"
 #include "edgeproof/precision/interruption.hpp"

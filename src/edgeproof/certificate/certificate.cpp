@@ -3,7 +3,7 @@
 
 #include "edgeproof/audit/ledger/ledger_parts.hpp"
 #include "edgeproof/formula/expr.hpp"
-#include "edgeproof/io/csv.hpp"
+#include "edgeproof/io/foreign_text.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 

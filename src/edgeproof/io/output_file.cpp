@@ -16,12 +16,9 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <functional>
 #include <mutex>
 #include <random>
 #include <set>
-#include <string>
-#include <string_view>
 #include <system_error>
 #include <utility>
 

@@ -9,7 +9,6 @@
 #include <array>
 #include <atomic>
 #include <bit>
-#include <cstdint>
 #include <fstream>
 #include <iostream>
 #include <iterator>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers/answers.hpp"
-#include "edgeproof/io/number_text.hpp"
+#include "edgeproof/io/foreign_text.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers/answers.hpp"
 #include "edgeproof/conformance/questions/question.hpp"
-#include "edgeproof/conformance/questions/reference.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/support/namespaces.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/text/escape.hpp"
 
-#include "edgeproof/io/csv.hpp"
+#include "edgeproof/io/foreign_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/report.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/comparison/comparison.hpp"
-#include "edgeproof/io/number_text.hpp"
+#include "edgeproof/io/foreign_text.hpp"
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/tables/comparison_report.hpp"

@@ -8,8 +8,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <optional>
-#include <utility>
 
 namespace edgeproof::comparison {
 namespace {

@@ -259,7 +259,7 @@ struct MeshValue {
 inline constexpr double mesh_error_times_elements = 0.06;
 
 /// The same if the profile has a corner, where p is infinite: the greatest error of the scale of p
-/// by the boundary elements of tests/comparison/spring_bed.hpp with rigid springs.
+/// by the boundary elements of tests/comparison/spring_bed.cpp with rigid springs.
 inline constexpr double mesh_error_by_corner_times_elements = 0.15;
 
 /// The error to expect of one mesh, `elements` wide.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers/answers.hpp"
 
-#include "edgeproof/io/number_text.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
@@ -12,7 +11,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <utility>
 
 namespace edgeproof::conformance {
 namespace {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/conformance/questions/question.hpp"
-#include "edgeproof/conformance/questions/reference.hpp"
-#include "edgeproof/io/csv.hpp"
+#include "edgeproof/io/foreign_text.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -22,8 +21,8 @@ struct Answer {
     std::size_t line = 0; ///< in the file of answers; 0: there is no row
 };
 
-/// Reads a number written by a program (io/number_text.hpp has the grammar): a decimal, with E or D
-/// for the exponent, or a hexadecimal float; "nan", "inf", nothing, or garbage. Never throws.
+/// Reads a number written by a program (io/foreign_text.hpp has the grammar): a decimal, with E or
+/// D for the exponent, or a hexadecimal float; "nan", "inf", nothing, or garbage. Never throws.
 [[nodiscard]] Answer read_answer(std::string_view given);
 
 /// Answers with their questions, and the faults of the whole set.

@@ -30,22 +30,6 @@ const std::string program_name = "the program";
 
 using Batch = std::vector<std::size_t>;
 
-io::Csv rows_of(const std::string& output, const std::string& name, std::size_t most_rows) {
-    io::Csv csv = io::parse_csv(output, name, {true, most_rows});
-    const auto id = csv.column("id");
-    const auto value = csv.column("value");
-    if (id && value) {
-        const std::size_t cells = csv.header.cells.size();
-        csv.header.cells = {"id", "value"};
-        for (io::Csv::Row& row : csv.rows) {
-            // An incomplete row must not look complete.
-            row.cells = row.cells.size() == cells ? std::vector{row.cells[*id], row.cells[*value]}
-                                                  : std::vector{row.cells.front()};
-        }
-    }
-    return csv;
-}
-
 class ProgramDriver {
 public:
     ProgramDriver(const Questions& asked, const ProgramDriverOptions& options)
@@ -128,7 +112,7 @@ private:
                 output.resize(output.rfind('\n') + 1); // npos + 1 is 0
             }
             const std::size_t most_rows = rows_of_a_run + 2 * batch.size();
-            const io::Csv rows = rows_of(output, name, most_rows);
+            const io::Csv rows = io::parse_csv(output, name, {true, most_rows});
             answers = answers_to(part, rows);
             if (rows.cut) {
                 answers.faults.push_back(name + ": more than " + std::to_string(most_rows) +

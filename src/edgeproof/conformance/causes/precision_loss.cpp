@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/causes/readings.hpp"
-#include "edgeproof/io/number_text.hpp"
+#include "edgeproof/io/foreign_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/causes/readings.hpp"
-#include "edgeproof/diagnose/diagnose.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <set>
 #include <tuple>
-#include <utility>
 
 namespace edgeproof::conformance {
 

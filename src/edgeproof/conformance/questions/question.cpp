@@ -3,7 +3,6 @@
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
@@ -11,8 +10,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
-#include <utility>
 
 namespace edgeproof::conformance {
 
@@ -129,10 +126,6 @@ std::size_t place_of(const Parameter& p) {
 
 /// The entry as in a scene file.
 io::TomlEntry entry_of(const Parameter& p, const std::string& file, std::size_t line) {
-    if (std::ranges::any_of(p.text, [](char c) { return static_cast<unsigned char>(c) < 0x20; })) {
-        throw InputError(p.key + " holds a control character", "write a number or an expression")
-            .at(file, p.line);
-    }
     if (p.key == "symmetric") {
         if (p.text != "true" && p.text != "false") {
             throw InputError("symmetric = " + p.text + " is neither true nor false",

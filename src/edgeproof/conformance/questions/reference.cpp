@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/conformance/questions/reference.hpp"
+#include "edgeproof/conformance/questions/question.hpp"
 
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"

@@ -5,7 +5,6 @@
 
 #include <cctype>
 #include <memory>
-#include <string>
 #include <utility>
 
 namespace edgeproof::io {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/tables/agreement_report.hpp"
 
-#include "edgeproof/io/number_text.hpp"
+#include "edgeproof/io/foreign_text.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/program_line.hpp"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/conformance/questions/question.hpp"
-#include "edgeproof/conformance/questions/reference.hpp"
-#include "edgeproof/io/csv.hpp"
+#include "edgeproof/io/foreign_text.hpp"
 #include "edgeproof/report/tables/table.hpp"
 
 #include <cstdint>

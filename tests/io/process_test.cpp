@@ -129,6 +129,13 @@ TEST_CASE("processes that a program leaves behind end with it, also in a session
                                   "until test -s started; do sleep 0.01; done");
     call.arguments.back().insert(0, "cd '" + folder.string() + "'; rm -f started; ");
     CHECK(run_program(call).ending().empty());
+    // One that has no environment is found as a child of this process.
+    CHECK(in_a_process([&] {
+              adopt_orphans();
+              const std::size_t at = call.arguments.back().find("sh -c");
+              call.arguments.back().insert(at, "env -i /bin/");
+              ::_exit(run_program(call).ending().empty() ? 0 : 1);
+          }) == 0);
     ::close(ends[1]);
     pollfd end{ends[0], POLLIN, 0};
     CHECK(::poll(&end, 1, 20'000) == 1);

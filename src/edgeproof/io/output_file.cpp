@@ -162,6 +162,17 @@ std::filesystem::path folder_of(const std::filesystem::path& file) {
     return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
+/// Opens a file without a name, if the system supports such files and naming them later; else
+/// returns -1.
+int open_unnamed(const std::filesystem::path& folder) {
+#ifdef O_TMPFILE
+    if (::access("/proc/self/fd", X_OK) == 0) {
+        return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    }
+#endif
+    return -1;
+}
+
 /// Returns N for a name of this process's descriptor N, else -1.
 int own_descriptor(const std::filesystem::path& file) {
     const std::string name = file.lexically_normal().string();
@@ -253,7 +264,11 @@ AtomicFile::AtomicFile(std::filesystem::path file)
     }
     std::error_code reported_below;
     std::filesystem::create_directories(folder_of(target_.path), reported_below);
-    fd_ = ::open(aside_.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    fd_ = open_unnamed(folder_of(target_.path));
+    if (fd_ < 0) {
+        named_ = true;
+        fd_ = ::open(aside_.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    }
     if (fd_ < 0 || (target_.mode && ::fchmod(fd_, *target_.mode) != 0)) {
         cannot("write", file_, errno);
     }
@@ -262,8 +277,19 @@ AtomicFile::AtomicFile(std::filesystem::path file)
 AtomicFile::~AtomicFile() {
     if (fd_ >= 0) {
         ::close(fd_);
-        ::unlink(aside_.path().c_str());
+        if (named_) {
+            ::unlink(aside_.path().c_str());
+        }
     }
+}
+
+void AtomicFile::give_name() {
+    const std::string by_number = "/proc/self/fd/" + std::to_string(fd_);
+    if (::linkat(AT_FDCWD, by_number.c_str(), AT_FDCWD, aside_.path().c_str(), AT_SYMLINK_FOLLOW) !=
+        0) {
+        cannot("write", file_, errno);
+    }
+    named_ = true;
 }
 
 void AtomicFile::commit(const std::string& text) {
@@ -281,6 +307,9 @@ void AtomicFile::commit(const std::string& text) {
         cannot("write", file_, errno);
     }
     const auto lock = hold_cleanup();
+    if (!named_) {
+        give_name();
+    }
     if (::rename(aside_.path().c_str(), target_.path.c_str()) != 0) {
         cannot("write", file_, errno);
     }

@@ -72,11 +72,11 @@ struct OutputTarget {
     [[nodiscard]] static OutputTarget of(const std::filesystem::path& file);
 };
 
-/// A file whose name appears only when it is complete. A missing folder is created. Throws
-/// InputError if the file cannot be written or replaced (require_replaceable), Interrupted after an
-/// interruption; no text remains then, as without commit(). A link is kept, and its target is
-/// written; an existing file keeps its permissions; a device, a FIFO or an open descriptor is
-/// written directly.
+/// A file visible to others only when it is complete. Until then it has no name, or, if the file
+/// system does not support that, a temporary one. A missing folder is created. Throws InputError if
+/// the file cannot be written or replaced (require_replaceable), Interrupted after an interruption;
+/// no text remains then, as without commit(). A link is kept, and its target is written; an
+/// existing file keeps its permissions; a device, a FIFO or an open descriptor is written directly.
 class AtomicFile {
 public:
     explicit AtomicFile(std::filesystem::path file);
@@ -88,10 +88,13 @@ public:
     void commit(const std::string& text);
 
 private:
+    void give_name();
+
     std::filesystem::path file_; ///< as the user named it
     OutputTarget target_;
     TemporaryPath aside_; ///< its temporary name
     int fd_ = -1;
+    bool named_ = false;
 };
 
 // No output replaces a file of the user.

@@ -6,6 +6,9 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -24,6 +27,7 @@
 #include <set>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 extern char** environ; // NOLINT: POSIX names it so
 
@@ -46,28 +50,66 @@ Registered& registered() {
     return *all;
 }
 
-bool is_marked(const std::filesystem::path& process, const std::string& mark) {
-    std::ifstream in(process / "environ", std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    return text.find(mark + '\0') != std::string::npos;
+std::string text_of(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Kills the processes with this variable in their environment. Repeats until none is found, since
-/// a process may start another one meanwhile.
+/// Returns the numbers of all other processes.
+std::vector<pid_t> all_processes() {
+    std::vector<pid_t> all;
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc", ignored)) {
+        const std::string name = entry.path().filename().string();
+        const char* const end = name.data() + name.size();
+        pid_t process = 0;
+        const auto [stop, error] = std::from_chars(name.data(), end, process);
+        if (error == std::errc{} && stop == end && process != ::getpid()) {
+            all.push_back(process);
+        }
+    }
+    return all;
+}
+
+bool is_marked(pid_t process, const std::string& mark) {
+    return text_of("/proc/" + std::to_string(process) + "/environ").find(mark + '\0') !=
+           std::string::npos;
+}
+
+bool is_child(pid_t process) {
+    const std::string stat = text_of("/proc/" + std::to_string(process) + "/stat");
+    const std::size_t name_end = stat.rfind(") "); // "PID (NAME) STATE PARENT"
+    return name_end != std::string::npos &&
+           stat.substr(name_end + 4).starts_with(std::to_string(::getpid()) + " ");
+}
+
+constexpr int most_rounds = 100;
+
+/// Repeats until none is found, since a process may start another one meanwhile.
 void end_marked(const std::string& mark) {
-    constexpr int most_rounds = 100;
     bool found = !mark.empty();
     for (int round = 0; found && round < most_rounds; ++round) {
         found = false;
-        std::error_code ignored;
-        for (const auto& entry : std::filesystem::directory_iterator("/proc", ignored)) {
-            const std::string name = entry.path().filename().string();
-            const char* const end = name.data() + name.size();
-            pid_t process = 0;
-            const auto [stop, error] = std::from_chars(name.data(), end, process);
-            if (error == std::errc{} && stop == end && process != ::getpid() &&
-                is_marked(entry.path(), mark)) {
+        for (const pid_t process : all_processes()) {
+            if (is_marked(process, mark)) {
                 found = ::kill(process, SIGKILL) == 0 || found;
+            }
+        }
+    }
+}
+
+std::atomic<bool> adopts{false};
+
+/// Ends the children of this process that it did not start: the processes that a program left, as
+/// they become children of this one (adopt_orphans). When one ends, its own children do, too.
+void end_adopted(const std::map<pid_t, std::string>& started) {
+    bool found = adopts;
+    for (int round = 0; found && round < most_rounds; ++round) {
+        found = false;
+        for (const pid_t process : all_processes()) {
+            if (!started.contains(process) && is_child(process)) {
+                ::kill(process, SIGKILL);
+                found = ::waitpid(process, nullptr, 0) == process || found;
             }
         }
     }
@@ -103,6 +145,12 @@ TemporaryPath::~TemporaryPath() {
 void TemporaryPath::keep_locked() noexcept {
     forget(path_);
     registered_ = false;
+}
+
+void adopt_orphans() {
+#ifdef __linux__
+    adopts = ::prctl(PR_SET_CHILD_SUBREAPER, 1) == 0;
+#endif
 }
 
 std::string new_mark() {
@@ -144,6 +192,9 @@ int ChildGroup::wait() {
     {
         // After the wait, its number may belong to another process.
         const auto lock = hold_cleanup();
+        if (registered().groups.size() == 1) { // else they may belong to another program
+            end_adopted(registered().groups);
+        }
         registered().groups.erase(pid_);
     }
     int status = 0;
@@ -162,6 +213,7 @@ void clean_up() noexcept {
             ::kill(-group, SIGKILL);
             end_marked(mark);
         }
+        end_adopted({});
         for (const std::filesystem::path& path : all.paths) {
             std::error_code ignored;
             std::filesystem::remove_all(path, ignored);

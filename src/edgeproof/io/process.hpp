@@ -39,6 +39,11 @@ private:
     bool registered_ = true;
 };
 
+/// From now on, a process whose parent has ended becomes a child of this one, where it is found and
+/// ended also if it has left its session and cleared its environment. For a program whose children
+/// are all started by ChildGroup.
+void adopt_orphans();
+
 /// Returns a variable (NAME=VALUE) that no child has been given before. All descendants of a child
 /// inherit it, including those that left the process group (setsid).
 [[nodiscard]] std::string new_mark();

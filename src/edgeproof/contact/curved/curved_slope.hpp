@@ -78,7 +78,9 @@ struct SlopeMonotonicity {
 /// An upper bound of g'' over [-b, a]; not finite if there is none.
 [[nodiscard]] Ball steepest_rise(const Profile& profile, const Ball& a, const Ball& b);
 
-/// True if g'' of a symmetric profile is proved not to increase from the origin to the edge.
+/// True if g'' of a symmetric profile is proved not to increase from the origin to the edge, which
+/// is no corner. Then the greatest pressure is in the middle (docs/curved-slopes.md, "The greatest
+/// pressure").
 [[nodiscard]] bool curvature_falls(const Profile& profile, const Ball& a);
 
 } // namespace edgeproof::contact

@@ -44,11 +44,6 @@ public:
     /// Returns the radius of the disk about an edge (length).
     [[nodiscard]] Ball reach(Edge edge) const override;
     [[nodiscard]] std::size_t cost() const override { return 40; }
-    /// p is the integral of P'(s)/(pi s) over w, s^2 = x^2 + w^2, and P'(s)/s a mean of g'' over
-    /// 0 < x < s (docs/curved-slopes.md, "The greatest pressure").
-    [[nodiscard]] bool greatest_in_middle() const override {
-        return !zone_ && profile_.symmetric() && curvature_falls(profile_, a_);
-    }
 
     /// For a wide ball p is enclosed by a disk that contains it (pressure_disk.hpp) or, if it
     /// contains a bend, by bounds of g'' near the bend. Disks are computed when they are needed,

@@ -319,9 +319,6 @@ private:
 } // namespace
 
 Ball enclosed_peak(const ProvedContact& contact, bool symmetric) {
-    if (symmetric && contact.greatest_in_middle()) {
-        return contact.pressure(Edge::right, contact.a(), Exact());
-    }
     return PeakSearch(contact, symmetric).found();
 }
 

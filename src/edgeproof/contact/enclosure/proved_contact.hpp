@@ -72,8 +72,6 @@ public:
     /// number of bits, the coefficients are not finite.
     [[nodiscard]] virtual std::vector<Ball> expansion(Edge edge, std::size_t terms) const = 0;
 
-    /// True if the greatest pressure of a symmetric contact is proved to be in its middle.
-    [[nodiscard]] virtual bool greatest_in_middle() const { return false; }
     /// The contact as one with a closed form; null for a curved slope.
     [[nodiscard]] virtual const BallContact* closed_form() const { return nullptr; }
     /// The approximate cost of one enclosure over an interval; that of a closed form is 1. The

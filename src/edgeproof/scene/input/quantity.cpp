@@ -136,15 +136,6 @@ double scale_of(const AskedValue& asked, double force, double length) {
     return power < 0 ? unit / std::pow(length, -power) : unit * std::pow(length, power);
 }
 
-namespace {
-
-/// True for the quantities that are computed for curved slopes of revolution.
-bool of_curved_body(QuantityGroup group) {
-    return group != QuantityGroup::extent && group != QuantityGroup::peak;
-}
-
-} // namespace
-
 std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
     using Needs = QuantityRow::Needs;
     const bool unnamed = symbol_of(asked).empty(); // in recipes
@@ -170,7 +161,7 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
         scene.round) {
         return lack("the contact is axisymmetric", "");
     }
-    if (scene.curved_body() && !of_curved_body(row_of(asked.quantity).group)) {
+    if (scene.curved_body() && row_of(asked.quantity).group == QuantityGroup::extent) {
         return lack("it is not computed for curved slopes of revolution", "");
     }
     if (needs == Needs::round && !scene.round) {
@@ -227,7 +218,7 @@ std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
     if (group.friction && !scene.slips()) {
         return Lack{problem + "friction", "add friction = \"0.6\" to [shear]"};
     }
-    if (scene.curved_body() && !of_curved_body(group.group)) {
+    if (scene.curved_body() && group.group == QuantityGroup::extent) {
         return Lack{std::string(group.name) + " is not computed for curved slopes of revolution",
                     "give a power law or a piecewise linear g'"};
     }

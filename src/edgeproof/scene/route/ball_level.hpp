@@ -162,7 +162,10 @@ public:
             return closed->pressure_factor() / ball_of(scene_.profile->parameters().at("m"), bits_);
         }
         try {
-            return enclosed_peak(contact(), scene_.symmetric());
+            // a power law and linear pieces have searches that prove it
+            return !scene_.closed() && scene_.symmetric() && curvature_falls(*scene_.profile, a())
+                       ? contact_->pressure(Edge::right, a(), Exact())
+                       : enclosed_peak(contact(), scene_.symmetric());
         } catch (const BudgetError&) {
             return not_known();
         }

@@ -136,8 +136,10 @@ TEST_CASE("a curved slope under P, not symmetric: all that follows from both edg
 }
 
 TEST_CASE("hypot and atan2 are written with analytic functions") {
-    for (const auto& [given, plain] :
+    for (const auto& pair :
          {std::pair{"hypot(1,x)-1", "sqrt(1+x^2)-1"}, {"atan2(x,1)", "atan(x)"}}) {
+        const char* const given = pair.first;
+        const char* const plain = pair.second;
         CAPTURE(given);
         const auto words = [](const std::string& slope) {
             return "piecewise symmetric slopes=" + slope + " a=3/4" + curved_ask;

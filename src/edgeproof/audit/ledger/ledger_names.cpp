@@ -6,7 +6,6 @@
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
-#include <ranges>
 #include <set>
 
 namespace edgeproof::audit {
@@ -111,8 +110,9 @@ void add_name(formula::Symbols& symbols, const std::string& key) {
 Vocabulary::Definition definition(const std::string& key, const std::string& text,
                                   formula::Symbols symbols, const std::string& file,
                                   std::size_t line) {
-    const auto [name, argument] = signature(key);
+    const auto signed_by = signature(key); // clang 14: lambdas capture no structured bindings
     return io::at_place(file, line, [&]() -> Vocabulary::Definition {
+        const auto& [name, argument] = signed_by;
         if (argument && !symbols.has(*argument)) {
             symbols.add(*argument);
         }
@@ -194,7 +194,9 @@ Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim) {
         };
         const formula::Symbols of_scenes = scene_names();
         std::ranges::for_each(of_scenes.variables(), refuse);
-        std::ranges::for_each(std::views::keys(of_scenes.functions()), refuse);
+        for (const auto& [name, arguments] : of_scenes.functions()) {
+            refuse(name);
+        }
     }
     const auto add = [&](std::string_view key, const std::string& name) {
         try {

@@ -370,12 +370,14 @@ Ball steepest_rise(const Profile& profile, const Ball& a, const Ball& b) {
             most = max(most, enclosed_constant(Exact(piece.linear->rate), Interval::bits));
         }
     }
-    for (const auto& [slope, origin, lo, hi] : half_pieces(profile, a, b)) {
+    for (const HalfPiece& half : half_pieces(profile, a, b)) {
         for (long k = 0; k < parts; ++k) {
             // the ends are exact, so that a distance of 0 remains 0
-            const auto at = [&](long i) { return middle(lo + (hi - lo) * i / parts); };
-            const Interval x(k == 0 ? lo : at(k), k + 1 == parts ? hi : at(k + 1));
-            most = max(most, evaluate<Rate>(slope, RateEnvironment{x}).rate.upper());
+            const auto at = [&](long i) {
+                return middle(half.lo + (half.hi - half.lo) * i / parts);
+            };
+            const Interval x(k == 0 ? half.lo : at(k), k + 1 == parts ? half.hi : at(k + 1));
+            most = max(most, evaluate<Rate>(half.slope, RateEnvironment{x}).rate.upper());
         }
     }
     return upper_end(most);

@@ -54,7 +54,7 @@ function(edgeproof_python_module)
     Python3_add_library(edgeproof_python MODULE WITH_SOABI ${sources})
     edgeproof_own_flags(edgeproof_python QUICK)
     if(EDGEPROOF_UNITY)
-        # Two units: pybind11's headers take longer than the sources.
+        # One unit: pybind11's headers take longer than the sources.
         set_target_properties(edgeproof_python PROPERTIES UNITY_BUILD_BATCH_SIZE 6)
     endif()
     set_target_properties(edgeproof_python PROPERTIES OUTPUT_NAME _edgeproof
@@ -62,7 +62,7 @@ function(edgeproof_python_module)
         LIBRARY_OUTPUT_DIRECTORY ${EDGEPROOF_PYTHON_FOLDER}/edgeproof)
     target_include_directories(edgeproof_python SYSTEM PRIVATE ${PYBIND11_INCLUDE_DIR})
     target_compile_definitions(edgeproof_python PRIVATE EDGEPROOF_VERSION="${PROJECT_VERSION}")
-    target_link_libraries(edgeproof_python PRIVATE edgeproof::report edgeproof::certificate fmt::fmt)
+    target_link_libraries(edgeproof_python PRIVATE edgeproof::interface)
     # The libraries are static; their symbols stay inside this module.
     target_link_options(edgeproof_python PRIVATE -Wl,--exclude-libs,ALL)
     add_dependencies(edgeproof_python include_order)

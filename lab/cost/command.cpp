@@ -88,16 +88,11 @@ int cost(const CostArguments& a) {
 } // namespace
 
 void add_cost(CLI::App& app, int& code) {
-    auto [sub, a] = add_command<CostArguments>(app, code, cost_name, cost_help, cost);
-    sub.add_option("scenes", a.scenes,
-                   "scenes (TOML) to time at their own points; without any, a set of contacts "
-                   "with easy and hard points");
-    sub.add_option("--digits", a.digits, "how many digits, a list")->capture_default_str();
-    sub.add_option("--points", a.points,
-                   "points of a contact, at most, for every route and number of digits (default: "
-                   "fewer the more digits there are, and few of the reference routes)");
-    sub.add_option("--out,--out-dir", a.out,
-                   "write cost.html, cost.csv and figures to this folder");
+    auto [sub, a] = add_command<CostArguments>(app, code, cost_name, cost);
+    option(sub, "scenes", a.scenes);
+    option(sub, "--digits", a.digits);
+    option(sub, "--points", a.points);
+    option(sub, "--out,--out-dir", a.out);
 }
 
 } // namespace edgeproof::cli

@@ -4,11 +4,14 @@
 #include "edgeproof/contact/witness/witness.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/scene/input/scene_words.hpp"
 #include "edgeproof/scene/route/scene_values.hpp"
 #include "lab/cost/cost.hpp"
 
 #include <filesystem>
+#include <iterator>
 #include <memory>
+#include <sstream>
 #include <utility>
 
 namespace edgeproof::cost {
@@ -39,28 +42,26 @@ std::vector<formula::Exact> listed(const std::vector<const char*>& texts) {
     return u;
 }
 
-using Section = std::vector<io::TomlEntry>;
-
 } // namespace
 
+scene::Scene made_scene(const std::string& name, const std::string& words) {
+    std::istringstream in(words + " contact_modulus=1");
+    const std::vector<std::string> list{std::istream_iterator<std::string>(in), {}};
+    return scene::parse_scene("", name, scene::given_scene(list).instead);
+}
+
 std::vector<CostCase> usual_cases() {
-    const Section flat{{"kind", "flat-and-rounded"}, {"t", "0.4"}, {"R", "1"}};
-    const Section wedge{{"kind", "power-law"}, {"m", "0"}, {"C", "1"}};
-    const Section power{{"kind", "power-law"}, {"m", "1/2"}, {"C", "1"}};
-    const Section tilted_wedge{{"kind", "tilted-wedge"}, {"phi", "pi/16"}, {"alpha", "pi/32"}};
-    const Section tilted_flat{
-        {"kind", "tilted-flat-and-rounded"}, {"alpha", "1/10"}, {"t", "1/2"}, {"R", "2"}};
-    const Section curved{{"kind", "piecewise"},
-                         {"symmetric", true},
-                         {"knots", std::vector<std::string>{"1/2"}},
-                         {"slopes", std::vector<std::string>{"x/10", "x/10 + (x - 1/2)^3"}}};
+    const char* const flat = "kind=flat-and-rounded t=0.4 R=1";
+    const char* const wedge = "kind=power-law m=0 C=1";
+    const char* const power = "kind=power-law m=1/2 C=1";
+    const char* const tilted_wedge = "kind=tilted-wedge phi=pi/16 alpha=pi/32";
+    const char* const tilted_flat = "kind=tilted-flat-and-rounded alpha=1/10 t=1/2 R=2";
+    const char* const curved = "kind=piecewise symmetric=true knots=1/2 slopes=x/10,x/10+(x-1/2)^3";
     std::vector<CostCase> cases;
-    const auto add = [&](const std::string& name, const Section& profile,
+    const auto add = [&](const std::string& name, const std::string& profile,
                          std::vector<formula::Exact> u) {
-        scene::Scene scene = scene::make_scene(
-            {{"profile", 0, profile}, {"load", 0, {{"a", "1"}, {"contact_modulus", "1"}}}});
-        scene.file = name;
-        cases.push_back({name, std::move(scene), contact::Edge::right, std::move(u)});
+        cases.push_back(
+            {name, made_scene(name, profile + " a=1"), contact::Edge::right, std::move(u)});
     };
     const std::vector<formula::Exact> by_the_apex =
         listed({"1 - 1e-2", "1 - 1e-4", "1 - 1e-8", "1 - 1e-12", "1 - 1e-20", "1 - 1e-30"});

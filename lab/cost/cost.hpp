@@ -27,6 +27,9 @@ struct CostCase {
     std::vector<formula::Exact> u;
 };
 
+/// Returns the scene of words such as "kind=hertz R=1 a=1", with the contact modulus 1.
+[[nodiscard]] scene::Scene made_scene(const std::string& name, const std::string& words);
+
 /// Returns the cases that are timed if no scene is given. In the first, routes are compared: a
 /// flat-and-rounded punch, t = 0.4 a, with 40 points in a geometric sequence from u = 1e-8 a to a.
 /// The others are a wedge, a power law of fractional exponent, both tilted profiles, and hard

@@ -4,7 +4,7 @@
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/report/figures/figures.hpp"
 #include "edgeproof/report/page/html.hpp"
-#include "edgeproof/report/text/escape.hpp"
+#include "edgeproof/report/text/filled_template.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 #include "edgeproof/roots/power_law_fit.hpp"
 
@@ -19,7 +19,7 @@
 namespace edgeproof::cost {
 namespace {
 
-using report::escape_html;
+using Json = nlohmann::ordered_json;
 using report::Pen;
 using report::Table;
 using ColumnKind = report::Column::Kind;
@@ -150,7 +150,6 @@ std::string picture(const std::string& id, const std::string& title, const std::
     plot.description = caption;
     plot.x = x;
     plot.y = y;
-    plot.columns = {"x"};
     using Colour = Pen::Colour;
     const std::array<Pen, 4> pens{{{Colour::blue, 1, 4},
                                    {Colour::orange, 1, 6},
@@ -165,8 +164,12 @@ std::string picture(const std::string& id, const std::string& title, const std::
     if (plot.rows.empty()) {
         return "";
     }
-    return report::figures_html(
-        {{id, title, caption, {drawn_panel(plot, report::draw_svg({plot}), folder)}, {}}});
+    const Json figure{{"id", id},
+                      {"title", title},
+                      {"caption", caption},
+                      {"panels", {drawn_panel(plot, report::draw_svg({plot}), folder)}},
+                      {"problem", ""}};
+    return report::figures_html(Json::array({figure}));
 }
 
 /// Returns both pictures of the first contact.
@@ -192,34 +195,18 @@ std::string pictures(const std::vector<CostCell>& cells, const std::filesystem::
 }
 
 std::string page(const CostReport& report, const std::string& pictures_html) {
-    std::string contents;
-    std::string parts;
-    const auto add = [&](const std::string& id, const std::string& title, const std::string& html) {
-        contents += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", id, escape_html(title));
-        parts += fmt::format("<section id=\"{0}\" aria-labelledby=\"{0}-title\">\n"
-                             "<h2 id=\"{0}-title\">{1}</h2>\n{2}</section>\n",
-                             id, escape_html(title), html);
-    };
-    add("figures", "Figures", pictures_html);
-    std::size_t number = 0;
+    Json tables = Json::array();
     for (const Table& t : cost_tables(report)) {
-        std::string html;
-        for (const std::string& note : t.notes) {
-            html += "<p class=\"caption\">" + escape_html(note) + "</p>\n";
-        }
-        html += "<div class=\"scroll\" tabindex=\"0\"><pre>\n" +
-                escape_html(aligned_lines(t, 0, true)) + "</pre></div>\n";
-        add(fmt::format("table-{}", ++number), t.title, html);
+        tables.push_back({{"id", fmt::format("table-{}", tables.size() + 1)},
+                          {"title", t.title},
+                          {"notes", t.notes},
+                          {"lines", aligned_lines(t, 0, true)}});
     }
-    return report::fill_template(
-        cost_html, {{"title", "Edgeproof: what accuracy costs"},
-                    {"css", std::string(report::report_template::page_css)},
-                    {"machine", escape_html(machine())},
-                    {"contents", contents},
-                    {"parts", parts},
-                    {"footer", escape_html("Made by edgeproof cost (" + report::program_line() +
-                                           "). Times are the processor's and belong to this "
-                                           "machine; counts of evaluations do not.")}});
+    return report::filled(cost_html, {{"css", report::report_template::page_css},
+                                      {"machine", machine()},
+                                      {"pictures", pictures_html},
+                                      {"tables", tables},
+                                      {"program", report::program_line()}});
 }
 
 } // namespace

@@ -51,7 +51,7 @@ def _end(child: subprocess.Popen[bytes]) -> None:
             child.stdin.close()
 
 
-def _values(text: str, file: str, asked: dict[str, Any]) -> dict[str, Any]:
+def _values(text: str, file: str, asked: Any) -> str:
     return NativeScene.from_text(text, file).run(asked)
 
 

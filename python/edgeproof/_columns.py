@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
-from ._edgeproof import Value, nearest_to
+from ._edgeproof import Value, given
 from ._lazy import imported
 from .errors import UndecidedError
 
@@ -40,7 +40,7 @@ def _cells(row: Any) -> Iterable[tuple[str, Any]]:
     for field in dataclasses.fields(row):
         name, content = field.name, getattr(row, field.name)
         if name in _NUMBERS and isinstance(content, str):
-            yield name, nearest_to(content)
+            yield name, float(given(content, 20))
         elif isinstance(content, Value):
             number, bound = _number(content)
             yield name, number

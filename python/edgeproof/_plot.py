@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import TYPE_CHECKING, Any
 
 from ._lazy import imported
@@ -18,7 +19,7 @@ _MARKS = {5: "s", 7: "o", 9: "^", 11: "v", 13: "D", 15: "*"}
 
 
 def plot(scene: Any, terms: Any, edge: str) -> matplotlib.figure.Figure:
-    panels = scene._native.plots({"terms": list(map(str, terms)), "edges": [edge]})
+    panels = json.loads(scene._native.pictures([("terms", list(map(str, terms))), ("edges", [edge])]))
     figure: matplotlib.figure.Figure = imported("matplotlib.figure").Figure(
         figsize=(5.5 * len(panels), 4.8), layout="constrained")
     for axes, panel in zip(figure.subplots(1, len(panels)), panels):

@@ -112,14 +112,14 @@ def verify(ledger: str | os.PathLike[str], digits: int = 50, only: str = "*", th
 
     Raises InputError, with file and line, for a ledger or a claim that is malformed.
     """
-    found = _edgeproof.verify(file_or_shipped(ledger, "verify"), digits, only, threads, progress)
-    data = json.loads(found["json"])
-    differences = found["differences"]
+    data = json.loads(_edgeproof.verify(progress, file_or_shipped(ledger, "verify"), digits, only,
+                                        threads))
+    differences = data["differences"]
     return Audit(
         ledger=data["ledger"],
-        source=found["source"],
+        source=data["source"],
         digits=data["digits"],
         claims=tuple(Claim(**claim) for claim in data["claims"]),
-        summary=found["counts"],
+        summary=data["counts"],
         differences=None if differences is None else tuple(differences),
     )

@@ -303,12 +303,15 @@ def compare(scene: AScene, results: Results, *, columns: Columns | None = None,
     never raise an exception.
     """
     asked = cast(Scene, scene)
-    given: Any = (columns or "", scale or "", origin, tolerance, of, edge_zone, tolerance_a,
-                  tolerance_P, tolerance_c0, partial, progress)
-    found = _edgeproof.compare(asked._native, asked.file or asked.title or "a scene",
-                               cast(Any, results), *given)
-    data = json.loads(found["json"])
+    options: Any = {
+        "columns": columns, "scale": scale, "origin": origin, "tolerance": tolerance, "of": of,
+        "edge_zone": edge_zone, "tolerance_a": tolerance_a, "tolerance_P": tolerance_P,
+        "tolerance_c0": tolerance_c0, "partial": "yes" if partial else None}
+    found = _edgeproof.compare(
+        progress, asked._native, asked.file or asked.title or "a scene", cast(Any, results),
+        {key: value for key, value in options.items() if value is not None})
+    data = json.loads(found.json)
     return Comparison(
         passed=data["passes"], tolerance=data["tolerance"], units=data["units"],
         routes=data["routes"], files=tuple(map(_result_of, data["files"])), orders=data["orders"],
-        text=found["text"], _data=data)
+        text=found.text, _data=data)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import csv
 import dataclasses
 import io
+import json
 import math
 import os
 from collections.abc import Callable, Iterator
@@ -105,8 +106,8 @@ def questions(recipe: str | os.PathLike[str]) -> list[dict[str, str]]:
     Keys: id, the parameters of the contact, quantity, and edge, u, x, tolerance where they apply.
     Numbers are binary64, so that a program that computes in binary64 can read them exactly.
     """
-    found: list[dict[str, str]] = _edgeproof.questions(
-        file_or_shipped(recipe, "reference"))
+    found: list[dict[str, str]] = json.loads(_edgeproof.questions(
+        file_or_shipped(recipe, "reference")))
     return found
 
 
@@ -180,13 +181,18 @@ def check(answers: Answers | None = None, *,
         assert isinstance(answers, str)
         name = answers
         text = _edgeproof.read_text(name, "file of answers (CSV)")
-    found = _edgeproof.check(text, name, asked, command, timeout, digits, ulps,
-                             conditioned, threads, progress)
+    options = {"answers": text, "name": name, "recipe": asked, "command": command,
+               "seconds": timeout, "digits": digits, "ulps": ulps,
+               "conditioned": "yes" if conditioned else None, "threads": threads}
+    found = json.loads(_edgeproof.check(
+        progress, {key: str(value) for key, value in options.items() if value is not None}))
+    for case in found["cases"]:
+        case.update((key, float(case[key])) for key in ("digits", "ulps", "relative"))
     return Agreement(
         passed=found["passed"],
         cases=tuple(Case(**case) for case in found["cases"]),
         faults=tuple(found["faults"]),
-        conventions=tuple(Convention(also=tuple(c.pop("also")), **c)
+        conventions=tuple(Convention(**{**c, "digits": float(c["digits"]), "also": tuple(c["also"])})
                           for c in found["conventions"]),
         estimates=found["estimates"],
         text=found["text"],

@@ -8,11 +8,11 @@ import dataclasses
 import json
 import os
 from collections.abc import Callable, Mapping
-from typing import Any, cast
+from typing import Any
 
 from . import _edgeproof
 from ._arguments import checked
-from ._edgeproof import Value
+from ._edgeproof import Value, value_of_state
 from ._shipped import file_or_shipped
 from .profiles import Number
 
@@ -104,10 +104,15 @@ def design(file: str | os.PathLike[str] | None = None, *, text: str | None = Non
     name = "(text)" if file is None else file_or_shipped(file, "examples/design")
     if text is None:
         text = _edgeproof.read_text(name, "scene (TOML)")
-    found = _edgeproof.design(
-        text, name, cast(str, gap), digits, maximise, cast("str | None", tolerance), edge, terms,
-        progress)
-    data = json.loads(found.pop("json"))
+    options = {"gap": gap, "digits": digits, "maximise": maximise, "tolerance": tolerance,
+               "edge": edge, "terms": terms}
+    found = json.loads(_edgeproof.design(
+        progress, text, name, {k: str(v) for k, v in options.items() if v is not None}))
+    data = found.pop("table")
+    for key in ("values", "reach_shown_at", "printed"):
+        found[key] = {name: value_of_state(state) for name, state in found[key].items()}
+    for key in ("reach", "touches_at", "reach_at_printed", "falls_short_by"):
+        found[key] = None if found[key] is None else value_of_state(found[key])
     return Design(title=data["title"], tolerance=data["tolerance"], terms=int(data["terms"]),
                   gap=data["rows"][0]["gap"], best=data["best"], notes=tuple(data["notes"]),
                   _data=data, **found)

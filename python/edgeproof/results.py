@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import dataclasses
 import itertools
+import json
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple, TypeVar
 
 from ._arguments import checked
 from ._columns import columns
-from ._edgeproof import Value
+from ._edgeproof import Value, value_of_state
 from .errors import InputError
 
 __all__ = ["Approximation", "Contact", "Coefficients", "Displacement", "Extent", "Point", "Result",
@@ -367,9 +368,15 @@ def _slip(at: _Place, stick: StickZone) -> Slip:
     return Slip(at.rows[0].edge, at.value("slip"), terms, stick)
 
 
-def result_of(found: dict[str, Any]) -> Result:
-    """Makes the objects of a result from its rows."""
-    every = [Row(*row) for row in found["rows"]]
+def _row(cells: list[Any]) -> Row:
+    row = Row(*cells)
+    return row if cells[7] is None else row._replace(value=value_of_state(cells[7]))
+
+
+def result_of(answers: str) -> Result:
+    """Makes the objects of a result from the answers of the compiled module (JSON)."""
+    found = json.loads(answers)
+    every = [_row(cells) for cells in found["rows"]]
     rows = [row for row in every if row.place not in ("body", "surface")]
     whole = _Place(rows)
 

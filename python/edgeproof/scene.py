@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import copy
 import dataclasses
+import json
 import os
 import tomllib
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -113,6 +115,8 @@ class _Unmade:
         raise TypeError("the Scene has no profile: write Scene(...), Scene.from_text() or "
                         "read_scene()")
 
+    __getitem__ = __getattr__
+
 
 class Scene:
     """A contact -b < x < a: a profile, a load, and perhaps shear. It is immutable.
@@ -149,6 +153,7 @@ class Scene:
     """
 
     _native: _edgeproof.NativeScene = cast(Any, _Unmade())
+    _facts: dict[str, Any] = cast(Any, _Unmade())
 
     @checked
     def __init__(self, profile: Profile, *, a: Number | None = None, P: Number | None = None,
@@ -174,11 +179,13 @@ class Scene:
                      "path": path}
         shear: list[Any] = [(k, v) for k, v in tractions.items() if v is not None]
         history: list[Any] = [list(step.items()) for step in steps]
-        self._set(_edgeproof.NativeScene.from_entries(title, profile._entries(), load, shear,
-                                                      history))
+        self._set(_edgeproof.NativeScene.from_keys(
+            [("profile", profile._entries()), ("load", load), ("shear", shear),
+             *(("[[step]]", step) for step in history)], title))
 
     def _set(self, native: _edgeproof.NativeScene) -> None:
         self._native = native
+        self._facts = json.loads(native.facts())
         self._contacts: dict[int, Contact] = {}
 
     @classmethod
@@ -197,37 +204,37 @@ class Scene:
     @property
     def title(self) -> str:
         """The scene's title; may be empty."""
-        return self._native.title
+        return str(self._facts["title"])
 
     @property
     def file(self) -> str | None:
         """The file from which it was read, or None."""
-        return self._native.file or None
+        return self._facts["file"] or None
 
     @property
     def digits(self) -> int:
         """The number of digits of values if none is given."""
-        return int(self._native.asked["digits"])
+        return int(self.asked["digits"])
 
     @property
     def asked(self) -> dict[str, Any]:
         """The questions of the scene file, which run() answers: quantities, edges, terms, u, ..."""
-        return self._native.asked
+        return copy.deepcopy(self._facts["asked"])  # type: ignore[no-any-return]
 
     @property
     def symmetric(self) -> bool:
         """True if b = a by construction."""
-        return self._native.symmetric
+        return bool(self._facts["symmetric"])
 
     @property
     def has_shear(self) -> bool:
         """True if Q or a bulk tension is given."""
-        return self._native.has_shear
+        return bool(self._facts["has_shear"])
 
     @property
     def has_friction(self) -> bool:
         """True if a coefficient of friction is given, so that zones at the edges slip."""
-        return self._native.slips
+        return bool(self._facts["slips"])
 
     def __repr__(self) -> str:
         if isinstance(self._native, _Unmade):
@@ -259,13 +266,13 @@ class Scene:
         if not 2 <= count <= _MOST_DIGITS:
             raise InputError(f"digits = {count} is out of range",
                              f"give a number from 2 to {_MOST_DIGITS}")
-        asked = {key: list(map(str, value)) if isinstance(value, (list, tuple)) else str(value)
-                 for key, value in {**asked, "digits": count}.items()}
-        most = _apart.MOST_DIGITS_HERE_INTEGRATED if self._native.integrated else \
+        keys: Any = [(key, list(map(str, v)) if isinstance(v, (list, tuple)) else str(v))
+                     for key, v in {**asked, "digits": count}.items()]
+        most = _apart.MOST_DIGITS_HERE_INTEGRATED if self._facts["integrated"] else \
             _apart.MOST_DIGITS_HERE
         if count > most and _apart.can_start():
-            return result_of(_apart.run("values", self.text, self.file or "", asked))
-        return result_of(self._native.run(asked))
+            return result_of(_apart.run("values", self.text, self.file or "", keys))
+        return result_of(self._native.run(keys))
 
     # The contact.
 
@@ -524,8 +531,10 @@ class Scene:
         pressure P/(a + b), or 2^-52 of the value where it is large. Power laws, curved slopes and
         points on a knot take much longer than other points. Raises InputError as stress() does.
         """
+        if body not in ("A", "B"):
+            raise InputError(f"there is no body '{body}'", "write A (on which Q acts) or B")
         across, depths = imported("numpy").broadcast_arrays(x, z)
-        return self._native.stresses(body, across, depths)
+        return self._native.stresses(body == "B", across, depths, self._facts["mises"][body == "B"])
 
     @checked
     def local_pressures(self, u: numpy.typing.ArrayLike | None = None, terms: int = 1,

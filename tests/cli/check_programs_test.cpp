@@ -54,37 +54,29 @@ std::string last_line(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("third-party programs: C in double") {
-    const Programs programs;
-    if (have("cc --version")) {
-        REQUIRE(programs.shell("cc -std=c99 -O2 -o closed_forms closed_forms.c -lm"));
-        CHECK(first_line(ask(programs.folder, "./closed_forms", "--digits 13").out) == all_pass);
-        // Doubles do not have 17 digits: the check can fail.
-        CHECK(ask(programs.folder, "./closed_forms", "--digits 17").code == 1);
-    }
-}
-
-TEST_CASE("third-party programs: Fortran, quadrature in real*8") {
-    const Programs programs;
-    if (have("gfortran --version")) {
-        REQUIRE(programs.shell("gfortran -O2 -o quadrature quadrature.f90"));
-        const Outcome o = ask(programs.folder, "./quadrature", "--digits 13");
-        CAPTURE(o.out);
-        CHECK(first_line(o.out) == all_pass);
-    }
-}
-
-TEST_CASE("third-party programs: 30 digits by mpmath and by PARI/GP") {
-    const Programs programs;
-    if (have("python3 -c 'import mpmath'")) {
-        const Outcome o = ask(programs.folder, "python3 thirty_digits.py", "--digits 30");
-        CAPTURE(o.out);
-        CHECK(first_line(o.out) == all_pass);
-    }
-    if (have("gp --version")) {
-        const Outcome o = ask(programs.folder, "gp -q closed_forms.gp", "--digits 30");
-        CAPTURE(o.out);
-        CHECK(first_line(o.out) == all_pass);
+TEST_CASE("third-party programs have the digits that they state, and the check can fail") {
+    struct Program {
+        const char* needs;
+        const char* build;
+        const char* run;
+        const char* digits;
+        const char* too_many; ///< digits that the program does not have
+    };
+    for (const auto& [needs, build, command, digits, too_many] :
+         {Program{"cc --version", "cc -std=c99 -O2 -o closed_forms closed_forms.c -lm",
+                  "./closed_forms", "13", "17"},
+          Program{"gfortran --version", "gfortran -O2 -o quadrature quadrature.f90", "./quadrature",
+                  "13", "17"},
+          Program{"python3 -c 'import mpmath'", "true", "python3 thirty_digits.py", "30", "60"},
+          Program{"gp --version", "true", "gp -q closed_forms.gp", "30", "60"}}) {
+        const Programs programs;
+        CAPTURE(command);
+        if (have(needs)) {
+            REQUIRE(programs.shell(build));
+            const Outcome o = ask(programs.folder, command, std::string("--digits ") + digits);
+            CHECK_MESSAGE(first_line(o.out) == all_pass, o.out);
+            CHECK(ask(programs.folder, command, std::string("--digits ") + too_many).code == 1);
+        }
     }
 }
 

@@ -109,23 +109,8 @@ TEST_CASE("help: each command has an example that runs") {
     }
 }
 
-TEST_CASE("the program completes commands, options, their values, keys, and shipped files") {
+TEST_CASE("the shell's function passes the words on to the program, which completes them") {
     const Folder folder;
-    struct Typed {
-        const char* words;
-        const char* proposed;
-    };
-    for (const auto& [words, proposed] :
-         {Typed{"press", "pressure\n"}, Typed{"pressure --format ''", "csv\njson\nmd\ntex\ntext\n"},
-          Typed{"compare --format ''", "text\njson\n"}, Typed{"pressure fret", "fretting-pad\n"},
-          Typed{"pressure mi", ""}, Typed{"verify moore", "moore-hills\n"},
-          Typed{"design expo", "exponent\n"}, Typed{"pressure --form", "--format\n"},
-          Typed{"pressure fretting-pad tol", "tolerance=\n"},
-          Typed{"stress stress --body ''", "A\nB\n"}}) {
-        CAPTURE(words);
-        CHECK(run(folder, std::string("--complete ") + words).out == proposed);
-    }
-    // The shell's function passes the words on.
     const std::string stub =
         (source_dir() / "share" / "edgeproof" / "completions" / "edgeproof.bash").string();
     folder.write("try.bash", "edgeproof() { '" + program().string() + "' \"$@\"; }\nsource '" +

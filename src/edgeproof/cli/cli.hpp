@@ -3,8 +3,6 @@
 /// The program's subcommands, one file each. Every add_... function adds its command to the command
 /// line; the command that is run writes its exit status to `code`: 0 good, 1 differs or fails the
 /// target, 2 bad input. An interruption (130, 143) is thrown (below).
-#include "edgeproof/precision/error.hpp"
-
 #include <CLI/CLI.hpp>
 
 #include <chrono>
@@ -16,6 +14,7 @@
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -28,8 +27,6 @@ AddCommand add_sets, add_plot, add_relations, add_design, add_table, add_points,
 /// The command of lab. The program edgeproof has only its name and starts edgeproof-lab, so that
 /// the build of the program does not wait for lab.
 inline constexpr const char* cost_name = "cost";
-inline constexpr const char* cost_help =
-    "what a value costs by each route: digits reached, evaluations, time";
 
 /// Runs the program with all its commands and returns its exit status. `add_cost` null: `cost` is
 /// started as the program edgeproof-lab.
@@ -45,17 +42,35 @@ template <class Options> struct Command {
     Options& options;
 };
 
-/// Gives each command its group in the help, and its example. Called once, after all are added.
-void set_help(CLI::App& app);
+/// share/edgeproof/commands.txt when the program was built: the help of commands and options.
+extern const std::string_view commands_txt;
+/// Adds a subcommand with its help, its group and its example.
+[[nodiscard]] CLI::App* add_subcommand(CLI::App& app, const std::string& name);
+/// Gives an option of a subcommand its help, and shows its default or its values if the help says
+/// so.
+void describe(const CLI::App& sub, CLI::Option& option, const std::string& names);
+
+/// Adds an option, or a flag if its value is a bool, with its help.
+template <class T> CLI::Option* option(CLI::App& sub, const std::string& names, T& value) {
+    CLI::Option* added = nullptr;
+    if constexpr (std::is_same_v<T, bool>) {
+        added = sub.add_flag(names, value);
+    } else {
+        added = sub.add_option(names, value);
+    }
+    describe(sub, *added, names);
+    return added;
+}
+
 /// Returns the keys of a scene, a recipe or a ledger, by its JSON schema.
 [[nodiscard]] std::string help_of_keys(const std::string& kind);
 
 /// Adds a subcommand. If it is chosen, `run` is called with its options and returns the exit
 /// status, which is written to `code`.
 template <class Options, class Run>
-[[nodiscard]] Command<Options> add_command(CLI::App& app, int& code, std::string name,
-                                           std::string help, Run run) {
-    CLI::App* const sub = app.add_subcommand(std::move(name), std::move(help));
+[[nodiscard]] Command<Options> add_command(CLI::App& app, int& code, const std::string& name,
+                                           Run run) {
+    CLI::App* const sub = add_subcommand(app, name);
     const auto options = std::make_shared<Options>();
     sub->callback([options, run, &code] { code = run(*options); });
     return {*sub, *options};

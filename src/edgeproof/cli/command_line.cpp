@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
-#include "edgeproof/precision/message.hpp"
+#include "edgeproof/report/report.hpp"
 
 #include <string_view>
 #include <vector>

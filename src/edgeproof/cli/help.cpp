@@ -1,44 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
-#include "edgeproof/io/text_file.hpp"
-#include "edgeproof/precision/error.hpp"
+#include "edgeproof/report/report.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <map>
+#include <sstream>
 #include <string>
+#include <utility>
 
 namespace edgeproof::cli {
 namespace {
 
-constexpr const char* compute = "Compute";
-constexpr const char* check = "Tables and checks";
-constexpr const char* develop = "For developers";
-
 struct CommandHelp {
-    const char* command;
-    const char* group;
-    const char* example; ///< its arguments
+    std::string text;
+    std::string group;
+    std::string example; ///< its arguments
+    std::string footer;
+    std::map<std::string, std::pair<std::string, std::string>> options; ///< marks and help
 };
-constexpr CommandHelp helps[] = {
-    {"pressure", compute, "kind=hertz R=100 P=120 E=115e3 nu=0.32 u=1e-3,0.1"},
-    {"expand", compute, "fretting-pad terms=3"},
-    {"extent", compute, "kind=flat-and-rounded t=1 R=50 P=100 E=115e3 nu=0.32 tolerance=1%"},
-    {"slip", compute, "kind=hertz R=100 P=120 E=115e3 nu=0.32 friction=0.5 q_ratio=0.6"},
-    {"stress", compute, "stress --point 0,1/2"},
-    {"displacement", compute, "stress x=0,2"},
-    {"plot", compute, "fretting-pad tolerance=1% --out pad.svg"},
-    {"design", compute,
-     "kind=flat-and-rounded t=0..0.9 R=10 a=1 contact_modulus=1 tolerance=5% --digits 4 --gap "
-     "1e-2"},
-    {"table", check, "power-law --check --every 200"},
-    {"verify", check, "moore-hills --only EQ18 --digits 20"},
-    {"check", check, "--ledger moore-hills"},
-    {"compare", check,
-     "examples/compare/cylinder.toml examples/compare/mesh-192.csv --edge-zone 2e"},
-    {"relations", develop, "left.c1 left.c0 b1 --degree 2"},
-    {"cost", develop, ""},
-    {"points", "", "power-law"}};
+
+/// Reads share/edgeproof/commands.txt, which describes its format.
+std::map<std::string, CommandHelp> read_help() {
+    std::map<std::string, CommandHelp> all;
+    CommandHelp* now = nullptr;
+    std::istringstream lines{std::string(commands_txt)};
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t colon = line.find(": ");
+        if (line.starts_with('#') || colon == std::string::npos) {
+            continue;
+        }
+        const std::string key = line.substr(0, colon);
+        std::string text = line.substr(colon + 2);
+        if (key.starts_with("  ")) {
+            const std::size_t marks = std::min(key.find(" ("), key.size());
+            now->options[key.substr(2, marks - 2)] = {key.substr(marks), text};
+        } else if (key == "group" || key == "example") {
+            (key == "group" ? now->group : now->example) = text;
+        } else if (key == "footer") {
+            boost::replace_all(text, "\\n", "\n");
+            now->footer = text;
+        } else {
+            now = &all[key];
+            now->text = text;
+        }
+    }
+    return all;
+}
+
+const CommandHelp& help_of(const std::string& command) {
+    static const std::map<std::string, CommandHelp> all = read_help();
+    return all.at(command);
+}
 
 using nlohmann::json;
 
@@ -82,18 +98,29 @@ void add_keys(std::string& text, const json& all, const json& object, const std:
 
 } // namespace
 
-void set_help(CLI::App& app) {
-    for (const CommandHelp& help : helps) {
-        for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
-            if (sub->get_name() == help.command) {
-                sub->group(help.group);
-                if (*help.example != '\0') {
-                    sub->footer(fmt::format("{}{}Example: edgeproof {} {}", sub->get_footer(),
-                                            sub->get_footer().empty() ? "" : "\n", help.command,
-                                            help.example));
-                }
-            }
-        }
+CLI::App* add_subcommand(CLI::App& app, const std::string& name) {
+    const CommandHelp& help = help_of(name);
+    CLI::App* const sub = app.add_subcommand(name, help.text);
+    sub->group(help.group);
+    const std::string footer = help.footer.empty() ? sub->get_footer() : help.footer;
+    sub->footer(help.example.empty() ? footer
+                                     : footer + (footer.empty() ? "" : "\n") +
+                                           "Example: edgeproof " + name + " " + help.example);
+    return sub;
+}
+
+void describe(const CLI::App& sub, CLI::Option& option, const std::string& names) {
+    const auto& own = help_of(sub.get_name()).options;
+    const auto found = own.find(names);
+    const auto& [marks, text] =
+        found == own.end() ? help_of("any").options.at(names) : found->second;
+    option.description(text);
+    if (marks.find('=') != std::string::npos) {
+        option.capture_default_str();
+    }
+    option.required(marks.find('!') != std::string::npos);
+    if (const std::size_t type = marks.find_first_not_of(" (=!)"); type != std::string::npos) {
+        option.type_name(marks.substr(type, marks.size() - 1 - type));
     }
 }
 

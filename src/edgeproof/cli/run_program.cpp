@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_options.hpp"
-#include "edgeproof/io/output_file.hpp"
-#include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/precision/message.hpp"
-#include "edgeproof/report/text/program_line.hpp"
+#include "edgeproof/report/report.hpp"
 
 #include <unistd.h>
 
@@ -55,7 +51,6 @@ int run_program(int argc, char** argv, std::initializer_list<AddCommand*> comman
     for (AddCommand* const add : commands) {
         add(app, code);
     }
-    set_help(app);
     std::vector<std::string> words(argv, argv + argc);
     const auto is = [&](std::size_t i, std::string_view word) {
         return i < words.size() && words[i] == word;
@@ -120,7 +115,7 @@ int run_program(int argc, char** argv, std::initializer_list<AddCommand*> comman
 
 namespace {
 
-void add_name_of_cost(CLI::App& app, int& /*code*/) { app.add_subcommand(cost_name, cost_help); }
+void add_name_of_cost(CLI::App& app, int& /*code*/) { (void)add_subcommand(app, cost_name); }
 
 /// Replaces this process by edgeproof-lab if the command is `cost`, or if the manual of all
 /// commands is to be written. Returns an error message if there is no such program.

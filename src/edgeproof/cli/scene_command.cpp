@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
 
-#include "edgeproof/io/text_file.hpp"
-
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
-#include <set>
 
 namespace edgeproof::cli {
 namespace {
@@ -22,48 +16,7 @@ std::string power_of(const std::string& unit, int halves) {
                              : fmt::format("{}^({}/2)", unit, halves);
 }
 
-/// The values of each quantity with their routes and bits: a line each.
-std::string values_by_quantity(const scene::SceneResult& result) {
-    struct Values {
-        std::size_t count = 0;
-        std::size_t proved = 0;
-        long bits = 0;
-        std::set<std::string> routes;
-    };
-    std::map<scene::Quantity, Values> by_quantity;
-    for (const scene::Row& row : result.rows) {
-        if (row.value) {
-            Values& values = by_quantity[row.asked.quantity];
-            ++values.count;
-            values.proved += row.value->proved ? 1 : 0;
-            values.bits = std::max(values.bits, row.value->value.bits());
-            values.routes.insert(row.value->route);
-        }
-    }
-    std::string text;
-    for (const auto& [quantity, values] : by_quantity) {
-        const scene::QuantityRow& row = row_of(quantity);
-        text += fmt::format("{}: {} value{}, {} proved, at most {} bits, {}\n",
-                            row.symbol.empty() ? row.name : row.symbol, values.count,
-                            values.count == 1 ? "" : "s", values.proved, values.bits,
-                            fmt::join(values.routes, "; "));
-    }
-    return text;
-}
-
 } // namespace
-
-scene::SceneResult done(const scene::Scene& scene, const SceneOptions& o) {
-    scene::RunProgress progress;
-    scene::SceneResult result = with_progress("values", progress, [&] {
-        return io::at_place(scene.file, scene.load_line,
-                            [&] { return run_scene(scene, progress); });
-    });
-    if (o.verbose) {
-        std::fputs(values_by_quantity(result).c_str(), stderr);
-    }
-    return result;
-}
 
 std::vector<report::Plot> picture_of(const scene::Scene& scene) {
     Progress progress("values");
@@ -76,45 +29,6 @@ void check_figure_option(const std::string& figure) {
         report::check_picture_name(figure);
         io::check_output(figure);
     }
-}
-
-void draw_figure_option(const scene::Scene& scene, const SceneOptions& o) {
-    if (!o.figure.empty()) {
-        io::write_whole(o.figure, report::picture_file(picture_of(scene), o.figure));
-    }
-}
-
-void add_fact(std::vector<report::Fact>& facts, const std::string& key, const scene::Scene& scene,
-              const scene::SceneResult& result, scene::Quantity quantity) {
-    if (const scene::Row* row = result.find(quantity)) {
-        const scene::PrintedValue p = printed(*row->value, scene.ask.digits);
-        facts.push_back({key, p.text, p.bound, how(*row->value, p), unit_of(scene, quantity)});
-    }
-}
-
-report::Table values_table(const scene::Scene& scene, const scene::SceneResult& result) {
-    const scene::Digits& digits = scene.ask.digits;
-    report::Table table;
-    table.title = scene.title;
-    std::vector<report::Fact>& facts = table.facts;
-    facts = {{"scene", scene.file},
-             {"digits", std::to_string(digits.count)},
-             {"rounding", std::string(rounding_name(digits.rounding))}};
-    if (scene.units) {
-        facts.push_back({"units", scene.units->text(scene.round.has_value())});
-    }
-    using scene::Quantity;
-    const auto add = [&](Quantity quantity) {
-        add_fact(facts, scene::symbol_of({quantity}), scene, result, quantity);
-    };
-    add(Quantity::alpha);
-    for (const scene::QuantityRow& row : scene::quantity_rows()) {
-        if (row.quantity != Quantity::alpha && (row.group == scene::QuantityGroup::contact ||
-                                                row.group == scene::QuantityGroup::peak)) {
-            add(row.quantity);
-        }
-    }
-    return table;
 }
 
 std::string unit_of(const scene::Scene& scene, scene::Quantity quantity, std::size_t k) {
@@ -157,76 +71,56 @@ std::vector<Line> lines_of(const std::vector<scene::RowsAt>& places) {
     return lines;
 }
 
-report::Column& Columns::add(const std::string& name, Kind kind, Text cell) {
-    columns_.push_back({name, kind});
-    cells_.emplace_back(
-        [cell = std::move(cell)](const Line& line, auto& row) { row.push_back(cell(line)); });
-    return columns_.back();
+report::Column& Row::add(const std::string& name, Column::Kind kind, std::string cell,
+                         Column::Role role) {
+    std::vector<std::string>& cells = table_.rows.back();
+    if (cells.size() == table_.columns.size()) {
+        table_.columns.push_back({name, kind});
+        table_.columns.back().role = role;
+    }
+    cells.push_back(std::move(cell));
+    return table_.columns[cells.size() - 1];
 }
 
-report::Column& Columns::text(const std::string& name, Text cell, std::string phrase) {
-    report::Column& column = add(name, Kind::text, std::move(cell));
+report::Column& Row::text(const std::string& name, std::string cell, std::string phrase) {
+    Column& column = add(name, Column::Kind::text, std::move(cell));
     column.phrase = std::move(phrase);
     return column;
 }
 
-report::Column& Columns::number(const std::string& name, scene::Quantity quantity, std::size_t n) {
-    const scene::Digits digits = digits_of(quantity, scene_.ask.digits);
-    report::Column& column = add(name, Kind::number, [=](const Line& line) {
-        const scene::Row* const row = line.at.find(quantity, n == 0 ? line.n : n);
-        return row != nullptr && row->value ? printed(*row->value, digits).text : std::string();
-    });
+report::Column& Row::number(const std::string& name, scene::Quantity quantity, std::size_t n) {
+    const scene::Row* const row = line_.at.find(quantity, n == 0 ? line_.n : n);
+    Column& column = add(name, Column::Kind::number,
+                         row != nullptr && row->value
+                             ? printed(*row->value, digits_of(quantity, scene_.ask.digits)).text
+                             : std::string());
     column.unit = unit_of(scene_, quantity);
     return column;
 }
 
-report::Column& Columns::value(const std::string& name, const std::string& route, Value value) {
-    const std::size_t first = columns_.size();
-    const scene::Digits digits = scene_.ask.digits;
-    columns_.push_back({name});
-    columns_.push_back({name + "_bound"});
-    columns_.back().role = report::Column::Role::bound;
+report::Column& Row::value(const std::string& name, const std::string& route,
+                           const std::optional<scene::BoundedValue>& value) {
+    using Kind = Column::Kind;
+    const scene::Digits& digits = scene_.ask.digits;
+    const scene::PrintedValue p = value ? printed(*value, digits) : scene::PrintedValue{};
+    const std::size_t first = table_.rows.back().size();
+    add(name, Kind::number, p.text);
+    add(name + "_bound", Kind::number, p.bound, Column::Role::bound);
     if (!route.empty()) {
-        columns_.push_back({route, Kind::text});
-        columns_.back().role = report::Column::Role::route;
+        add(route, Kind::text, value ? how(*value, p) : "", Column::Role::route);
     }
     if (digits.binary64) {
-        columns_.push_back({name + "_binary64"});
+        add(name + "_binary64", Kind::number, p.binary64 ? fmt::format("{}", *p.binary64) : "");
     }
-    cells_.emplace_back([value = std::move(value), with_route = !route.empty(),
-                         digits](const Line& line, std::vector<std::string>& row) {
-        const std::optional<scene::BoundedValue> x = value(line);
-        const scene::PrintedValue p = x ? printed(*x, digits) : scene::PrintedValue{};
-        row.push_back(p.text);
-        row.push_back(p.bound);
-        if (with_route) {
-            row.push_back(x ? how(*x, p) : "");
-        }
-        if (digits.binary64) {
-            row.push_back(p.binary64 ? fmt::format("{}", *p.binary64) : "");
-        }
-    });
-    return columns_[first];
+    return table_.columns[first];
 }
 
-report::Column& Columns::value(const std::string& name, const std::string& route,
-                               scene::Quantity quantity) {
-    report::Column& column = value(name, route, [=](const Line& line) {
-        const scene::Row* const row = line.at.find(quantity, line.n);
-        return row != nullptr ? row->value : std::nullopt;
-    });
+report::Column& Row::value(const std::string& name, const std::string& route,
+                           scene::Quantity quantity) {
+    const scene::Row* const row = line_.at.find(quantity, line_.n);
+    Column& column = value(name, route, row != nullptr ? row->value : std::nullopt);
     column.unit = unit_of(scene_, quantity);
     return column;
-}
-
-void Columns::write(report::Table& table, const std::vector<Line>& lines) const {
-    table.columns = columns_;
-    for (const Line& line : lines) {
-        table.rows.emplace_back().reserve(columns_.size());
-        for (const auto& cell : cells_) {
-            cell(line, table.rows.back());
-        }
-    }
 }
 
 void show_as_file(const OutputOptions& o) {

@@ -2,9 +2,6 @@
 #pragma once
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_options.hpp"
-#include "edgeproof/io/output_file.hpp"
-#include "edgeproof/precision/error.hpp"
-#include "edgeproof/report/figures/scene_figure.hpp"
 
 #include <functional>
 #include <optional>
@@ -15,24 +12,10 @@
 /// Common parts of the subcommands that compute a scene.
 namespace edgeproof::cli {
 
-/// Runs the scene, with progress on a terminal; SIGINT stops it. --verbose: shows on stderr what
-/// was computed.
-[[nodiscard]] scene::SceneResult done(const scene::Scene& scene, const SceneOptions& options);
-
 /// Draws the scene, with progress on a terminal.
 [[nodiscard]] std::vector<report::Plot> picture_of(const scene::Scene& scene);
-/// Checks the file of --figure before any work, and draws the scene into it.
+/// Checks the file of --figure before any work.
 void check_figure_option(const std::string& figure);
-void draw_figure_option(const scene::Scene& scene, const SceneOptions& options);
-
-/// Returns an empty table for such a result, with its title and facts: the digits, a and b, P and M
-/// if they were asked for, with friction the stick zone and the allowed bulk tensions.
-[[nodiscard]] report::Table values_table(const scene::Scene& scene,
-                                         const scene::SceneResult& result);
-
-/// Adds the value of a quantity of the contact, if it was computed.
-void add_fact(std::vector<report::Fact>& facts, const std::string& key, const scene::Scene& scene,
-              const scene::SceneResult& result, scene::Quantity quantity);
 
 /// Returns the unit of a quantity in the units of the scene; empty if they are not known.
 [[nodiscard]] std::string unit_of(const scene::Scene& scene, scene::Quantity quantity,
@@ -46,33 +29,33 @@ struct Line {
 
 [[nodiscard]] std::vector<Line> lines_of(const std::vector<scene::RowsAt>& places);
 
-/// The columns of a table, each with its cell in the row of a line.
-class Columns {
+/// A row of a table, which is filled cell by cell; the cells of the first row add the columns.
+class Row {
 public:
-    using Kind = report::Column::Kind;
-    using Text = std::function<std::string(const Line&)>;
-    using Value = std::function<std::optional<scene::BoundedValue>(const Line&)>;
+    using Column = report::Column;
 
-    explicit Columns(const scene::Scene& scene) : scene_(scene) {}
-    report::Column& add(const std::string& name, Kind kind, Text cell);
-    report::Column& text(const std::string& name, Text cell, std::string phrase = {});
+    Row(const scene::Scene& scene, report::Table& table, const Line& line)
+        : scene_(scene), table_(table), line_(line) {
+        table.rows.emplace_back();
+    }
+    Column& add(const std::string& name, Column::Kind kind, std::string cell,
+                Column::Role role = Column::Role::value);
+    Column& text(const std::string& name, std::string cell, std::string phrase = {});
     /// The text of a quantity of n terms; empty where it has no value.
-    report::Column& number(const std::string& name, scene::Quantity quantity, std::size_t n = 0);
+    Column& number(const std::string& name, scene::Quantity quantity, std::size_t n = 0);
     /// Adds NAME, NAME_bound, the column `route` (if it has a name), then NAME_binary64 if it is
     /// asked for; empty cells for a missing value. Returns the first of them.
-    report::Column& value(const std::string& name, const std::string& route, Value value);
-    report::Column& value(const std::string& name, const std::string& route,
-                          scene::Quantity quantity);
-    void route(Text cell) {
-        add("route", Kind::text, std::move(cell)).role = report::Column::Role::route;
+    Column& value(const std::string& name, const std::string& route,
+                  const std::optional<scene::BoundedValue>& value);
+    Column& value(const std::string& name, const std::string& route, scene::Quantity quantity);
+    void route(std::string cell) {
+        add("route", Column::Kind::text, std::move(cell), Column::Role::route);
     }
-    [[nodiscard]] report::Column& column(std::size_t i) { return columns_.at(i); }
-    void write(report::Table& table, const std::vector<Line>& lines) const;
 
 private:
     const scene::Scene& scene_;
-    std::vector<report::Column> columns_;
-    std::vector<std::function<void(const Line&, std::vector<std::string>&)>> cells_;
+    report::Table& table_;
+    const Line& line_;
 };
 
 /// Checks a user's own formulas: 0 if all of them hold, else 1 (verify.cpp).

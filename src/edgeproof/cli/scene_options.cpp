@@ -2,8 +2,6 @@
 #include "edgeproof/cli/scene_options.hpp"
 
 #include "edgeproof/cli/cli.hpp"
-#include "edgeproof/io/output_file.hpp"
-#include "edgeproof/precision/error.hpp"
 
 #include <fmt/format.h>
 
@@ -40,45 +38,26 @@ report::TableFormat OutputOptions::table_format() const {
 
 void add_table_options(CLI::App& sub, OutputOptions& o) {
     o.has_table = true;
-    sub.add_option("--format", o.format, "default: csv; on a terminal a short answer")
-        ->type_name("csv|json|md|tex|text");
-    sub.add_option("--out", o.out, "write to this file, whole or not at all (-: standard output)");
-    sub.add_option("--columns", o.columns, "these columns only, such as u,p (default: all)");
-    sub.add_flag("--no-notes", o.no_notes, "leave out the facts and notes around the rows");
-}
-
-void add_threads_option(CLI::App& sub, std::string& threads) {
-    sub.add_option("--threads", threads, "threads (default, and 0: as many as the machine has)");
+    option(sub, "--format", o.format);
+    option(sub, "--out", o.out);
+    option(sub, "--columns", o.columns);
+    option(sub, "--no-notes", o.no_notes);
 }
 
 void add_given_scene(CLI::App& sub, SceneOptions& o) {
-    sub.add_option("scene", o.words,
-                   "the scene: its file (TOML; -: standard input), key=value for keys that it "
-                   "lacks or that differ, or such words alone: kind=hertz R=100 P=120 (edgeproof "
-                   "help scene lists the keys)");
-    add_step_option(sub, o.step);
-    sub.add_flag("--show-scene", o.show_scene,
-                 "print the file of a scene that is given by words (standard error)");
+    option(sub, "scene", o.words);
+    option(sub, "--step", o.step);
+    option(sub, "--show-scene", o.show_scene);
 }
 
 void add_scene_options(CLI::App& sub, SceneOptions& o) {
     add_given_scene(sub, o);
-    sub.add_option("--digits", o.digits,
-                   "significant digits (default: the scene's, else 50; 6 on a terminal)");
+    option(sub, "--digits", o.digits);
     add_table_options(sub, o);
-    sub.add_option("--round", o.rounding, "how values are rounded")
-        ->capture_default_str()
-        ->type_name("nearest|down|up");
-    sub.add_flag("--verbose", o.verbose,
-                 "show on stderr what was computed: routes, bits, and whether it is proved");
-    sub.add_flag("--binary64", o.binary64, "add the binary64 nearest to each value");
-    sub.add_flag("--exact", o.exact,
-                 "print the points of a range as exact fractions, not as decimals");
-}
-
-void add_step_option(CLI::App& sub, std::string& step) {
-    sub.add_option("--step", step,
-                   "the state after this step of a load history (default: the last)");
+    option(sub, "--round", o.rounding);
+    option(sub, "--verbose", o.verbose);
+    option(sub, "--binary64", o.binary64);
+    option(sub, "--exact", o.exact);
 }
 
 void choose_step(scene::Scene& scene, const std::string& step) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/report/tables/table.hpp"
-#include "edgeproof/scene/input/scene_words.hpp"
-#include "edgeproof/scene/scene.hpp"
+
+#include "edgeproof/report/report.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -75,12 +74,8 @@ void add_table_options(CLI::App& sub, OutputOptions& options);
 /// Refuses the keys that are given as words although they have no effect: `why` gives the reason.
 void refuse_words(const SceneOptions& options, const std::vector<std::string_view>& keys,
                   const std::string& why);
-/// Adds --step for choose_step().
-void add_step_option(CLI::App& sub, std::string& step);
 /// Sets the state of a scene to that after the step that --step names, if it is given.
 void choose_step(scene::Scene& scene, const std::string& step);
-/// Adds --threads for threads_of().
-void add_threads_option(CLI::App& sub, std::string& threads);
 
 /// Returns the scene, with the values of the words and options in place of its own. Throws
 /// InputError for those that make no sense.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_options.hpp"
-#include "edgeproof/precision/error.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
-
-#include "edgeproof/io/process.hpp"
-#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/report/report.hpp"
 
 #include <fcntl.h>
 #include <flint/flint.h>
@@ -188,6 +186,7 @@ void open_standard_streams() {
 }
 
 void take_signals() {
+    io::adopt_orphans();
     const sigset_t set = ending_signals();
     for (const int signal : {SIGINT, SIGTERM}) {
         std::signal(signal,

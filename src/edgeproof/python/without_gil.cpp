@@ -57,7 +57,7 @@ InterruptedByCtrlC::~InterruptedByCtrlC() {
     withdraw_interruption();
 }
 
-void Progress::operator()(std::size_t done, std::size_t total) {
+void Callback::operator()(std::size_t done, std::size_t total) {
     if (callback_.is_none()) {
         return;
     }
@@ -73,7 +73,7 @@ void Progress::operator()(std::size_t done, std::size_t total) {
     }
 }
 
-void Progress::rethrow() {
+void Callback::rethrow() {
     const std::lock_guard lock(mutex_);
     if (raised_) {
         withdraw_interruption();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-#include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/edgeproof.hpp"
 
 #include <pybind11/pybind11.h>
 
@@ -33,9 +33,9 @@ void after_interruption();
 
 /// Calls a Python function (or None) with (done, total), from any thread. An exception of the
 /// function ends the work.
-class Progress {
+class Callback {
 public:
-    explicit Progress(pybind11::object callback) : callback_(std::move(callback)) {}
+    explicit Callback(pybind11::object callback) : callback_(std::move(callback)) {}
     void operator()(std::size_t done, std::size_t total);
     /// Throws the function's exception, if there was one. Needs the GIL.
     void rethrow();
@@ -48,7 +48,7 @@ private:
 
 /// Runs f() without the GIL, so that other Python threads run. Ctrl-C ends it at its next check
 /// (check_interruption) with KeyboardInterrupt.
-template <class F> auto without_gil(const F& f, Progress* progress = nullptr) {
+template <class F> auto without_gil(const F& f, Callback* progress = nullptr) {
     for (;;) {
         try {
             const InterruptedByCtrlC signals;
@@ -65,8 +65,8 @@ template <class F> auto without_gil(const F& f, Progress* progress = nullptr) {
 
 /// Runs f(progress) like without_gil(f). `progress` calls the function, and throws its exception.
 template <class F> auto with_progress(pybind11::object callback, const F& f) {
-    Progress progress(std::move(callback));
-    auto found = without_gil([&] { return f(progress); }, &progress);
+    Callback progress(std::move(callback));
+    auto found = without_gil([&] { return f(Progress(std::ref(progress))); }, &progress);
     progress.rethrow();
     return found;
 }

@@ -80,7 +80,8 @@ TEST_CASE("verify: exit 0 if the verdicts are those recorded, 1 if they differ")
     folder.write("own.toml", head + hertz_claim("right", "Es*C/3*sqrt(a^2-x^2)"));
     const Outcome changed = run(folder, "verify own.toml");
     CHECK(changed.code == 1);
-    CHECK(changed.out.find("differs from own.expected.csv: right") != std::string::npos);
+    CHECK(changed.out.find("differs from the record: own.expected.csv:2: row right has verdict "
+                           "confirmed, made anew refuted\n") != std::string::npos);
     folder.write("own.toml", head + right + hertz_claim("new", "Es*C/2*sqrt(a^2-x^2)"));
     CHECK(run(folder, "verify own.toml").code == 1); // a claim has no recorded verdict
 }

@@ -22,7 +22,6 @@ Plot parabola() {
     plot.y = {"y"};
     plot.x.range = {"0", "2"};
     plot.y.range = {"0", "4"};
-    plot.columns = {"x"};
     plot.add_curve("y", "y", {Pen::Colour::black, 1, {}, 2});
     plot.add_curve("mark", "mark", {Pen::Colour::blue, 0, 7, 2});
     for (const char* x : {"0", "1"}) {

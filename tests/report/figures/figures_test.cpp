@@ -15,7 +15,6 @@
 #include <functional>
 #include <set>
 #include <string>
-#include <tuple>
 #include <vector>
 
 namespace {
@@ -81,9 +80,8 @@ TEST_CASE("figures 2 and 3 of the paper have the values of closed forms") {
         }
         CHECK(compared > 150);
         const Plot pressures = plot_of(1, panel_of_pressures);
-        REQUIRE(pressures.columns == std::vector<std::string>{"x", "p", "right1", "right1_exit",
-                                                              "right2", "right2_exit", "right3",
-                                                              "right3_exit"});
+        REQUIRE(test::has(to_csv(pressures), "\nx,p,right1,right1_exit,right2,right2_exit,right3,"
+                                             "right3_exit\n"));
         for (const auto& row : pressures.rows) {
             const Real& x = *row[0];
             if (row[1] && abs(x) < 1) {
@@ -95,48 +93,6 @@ TEST_CASE("figures 2 and 3 of the paper have the values of closed forms") {
                 }
             }
         }
-    }
-}
-
-TEST_CASE("figures 5 and 7 of the paper have the pressures of closed forms") {
-    const PrecisionScope scope(digits);
-    // Hills, Nowell and Sackfield, Mechanics of Elastic Contacts (1993), in the form of Ciavarella
-    // et al. (1998): x = sin f, t = sin theta, for a = R = 1.
-    const auto flat = [](const Real& t) {
-        return [theta = Real(asin(t))](const Real& x) {
-            const Real f = asin(abs(x));
-            return Real(((pi<Real>() - 2 * theta) * cos(f) +
-                         sin(f) * log(abs(sin(f + theta) / sin(f - theta))) +
-                         sin(theta) * log(abs(tan((f + theta) / 2) * tan((f - theta) / 2)))) /
-                        (2 * pi<Real>()));
-        };
-    };
-    // For a tilted wedge, p = (phi/pi) ln|(1 + k)/(1 - k)| with k^2 = b(a - x)/(a(x + b)).
-    const Real s = sin(pi<Real>() * 2 / 5); // alpha = pi/20: pi alpha/(2 phi) = 2 pi/5
-    const Real b = (1 - s) / (1 + s);
-    const auto wedge = [b](const Real& x) {
-        const Real k = sqrt(b * (1 - x) / (x + b));
-        return Real(log(abs((1 + k) / (1 - k))) / 16);
-    };
-    const Real small("1e-3");
-    for (const auto& [figure, panel, knot, p] :
-         {std::tuple<std::size_t, std::size_t, Real, std::function<Real(const Real&)>>{
-              3, 0, Real("0.4"), flat(Real("0.4"))},
-          {3, 1, Real("0.8"), flat(Real("0.8"))},
-          {5, 0, Real(0), wedge},
-          {5, 1, Real(0), wedge}}) {
-        const Plot plot = plot_of(figure, panel);
-        CAPTURE(plot.id);
-        std::size_t compared = 0;
-        for (const auto& row : plot.rows) {
-            const Real& x = *row[0];
-            const Real left = figure == 3 ? Real(1) : b;
-            if (row[1] && abs(abs(x) - knot) > small && 1 - x > small && x + left > small * left) {
-                ++compared;
-                CHECK(relative(*row[1], p(x)) < Real("1e-15"));
-            }
-        }
-        CHECK(compared > 50);
     }
 }
 
@@ -203,7 +159,6 @@ TEST_CASE("a picture in a file has a white ground; in a page it takes the page's
     plot.id = "line";
     plot.title = "t";
     plot.description = "d";
-    plot.columns = {"x", "y"};
     plot.curves = {{"y", "a line", {}}};
     for (int k = 1; k < 4; ++k) {
         plot.rows.push_back({Real(k), Real(k)});
@@ -221,7 +176,8 @@ TEST_CASE("CSV: notes, names, values to 20 digits, nothing where there is no val
     Plot plot;
     plot.title = "t";
     plot.description = "d";
-    plot.columns = {"u", "p"};
+    plot.first_column = "u";
+    plot.curves = {{"p", "p", {}}};
     plot.rows = {{Real(1) / 3, std::nullopt}, {Real(2), Real("1e-30")}};
     CHECK(to_csv(plot) == "# t\n# d\n# program: " + program_line() +
                               "\nu,p\n0.33333333333333333333,\n2.0000000000000000000,"

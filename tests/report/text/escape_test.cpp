@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/text/escape.hpp"
+#include "edgeproof/report/text/filled_template.hpp"
 
 #include "edgeproof/io/foreign_text.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -203,10 +204,20 @@ TEST_CASE("escaping: bytes that are not UTF-8 are replaced by U+FFFD") {
 }
 
 TEST_CASE("a template is filled once, and an unknown name in it is an error") {
-    CHECK(fill_template("a {{x}} b {{x}}{{y}}", {{"x", "{{y}}"}, {"y", "2"}}) ==
-          "a {{y}} b {{y}}2");
-    CHECK_THROWS_AS((void)fill_template("{{z}}", {}), Error);
-    CHECK_THROWS_AS((void)fill_template("{{z", {{"z", ""}}), Error);
+    const auto values =
+        nlohmann::ordered_json::parse(R"({"x": "{{y}}", "y": 2, "h": "<b>", "no": [],
+        "list": [{"y": 3, "in": ["p", "q"]}, {"in": []}], "one": {"h": "i"}})");
+    for (const auto& [text, expected] :
+         {std::pair{"a {{x}} b {{x}}{{y}}", "a {{y}} b {{y}}2"},
+          {"{{h}}{{&h}}", "&lt;b&gt;<b>"},
+          {"{{#list}}[{{y}}{{#in}} {{.}}{{/in}}{{^in}}-{{/in}}]{{/list}}", "[3 p q][2-]"},
+          {"{{#one}}{{h}}{{/one}}{{#no}}n{{/no}}{{^no}}none{{/no}}{{#z}}z{{/z}}", "inone"}}) {
+        CAPTURE(text);
+        CHECK(filled(text, values) == expected);
+    }
+    for (const char* text : {"{{z}}", "{{h", "{{#h}}"}) {
+        CHECK_THROWS_AS((void)filled(text, values), Error);
+    }
 }
 
 TEST_CASE("the program contains the complete templates") {

@@ -1,13 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/run.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/conformance/answers/answers.hpp"
-#include "edgeproof/conformance/questions/question.hpp"
-#include "edgeproof/io/text_file.hpp"
-#include "edgeproof/precision/message.hpp"
-#include "edgeproof/precision/rounding/text.hpp"
-#include "edgeproof/report/tables/agreement_report.hpp"
-#include "edgeproof/report/tables/reference_table.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -188,40 +180,24 @@ int check(CheckOptions& o) {
 } // namespace
 
 void add_check(CLI::App& app, int& code) {
-    auto [sub, o] = add_command<CheckOptions>(
-        app, code, "check", "compare another program's answers with reference values", check);
-    sub.add_option("answers", o.answers,
-                   "the questions of `edgeproof points` with a column value (CSV; - reads stdin); "
-                   "with --exec the recipe");
-    sub.add_option(
-        "--recipe", o.recipe,
-        "what was asked: names what is missing or twice; rows may then stand in any "
-        "order and hold id and value alone; the inputs are those of `points`, in binary64");
-    sub.add_option("--exec", o.command,
-                   "run this command: it reads the questions and writes rows with id and value");
-    sub.add_option("--only", o.only,
-                   "questions whose id matches, such as 'hertz:*', for a program that knows one "
-                   "profile");
-    sub.add_option("--batch", o.batch, "with --exec: questions that one run is asked")
-        ->capture_default_str();
-    sub.add_option("--runs", o.runs, "with --exec: start it at most so often")
-        ->capture_default_str();
-    sub.add_option("--timeout", o.timeout, "with --exec: seconds after which a run is stopped")
-        ->capture_default_str();
-    sub.add_option("--digits", o.digits, "pass with |value/exact - 1| <= 10^-D");
-    sub.add_option("--ulps", o.ulps, "pass within N binary64 units in the last place");
-    sub.add_flag("--conditioned", o.conditioned,
-                 "let errors pass that the rounding of the inputs explains");
-    sub.add_option("--errors", o.errors, "show at most this number of failures")
-        ->capture_default_str();
-    sub.add_flag("--json", o.json, "as --format json");
-    sub.add_option("--format", o.format,
-                   "json: the outcome and the causes; default: text, the report")
-        ->type_name("text|json");
-    sub.add_option("--out", o.out, "write it to this file (-: standard output)");
-    sub.add_option("--junit", o.junit, "write JUnit XML to this file");
-    sub.add_option("--ledger", o.ledger, "verify the formulas of this ledger instead");
-    add_threads_option(sub, o.threads);
+    auto [sub, o] = add_command<CheckOptions>(app, code, "check", check);
+    option(sub, "answers", o.answers);
+    option(sub, "--recipe", o.recipe);
+    option(sub, "--exec", o.command);
+    option(sub, "--only", o.only);
+    option(sub, "--batch", o.batch);
+    option(sub, "--runs", o.runs);
+    option(sub, "--timeout", o.timeout);
+    option(sub, "--digits", o.digits);
+    option(sub, "--ulps", o.ulps);
+    option(sub, "--conditioned", o.conditioned);
+    option(sub, "--errors", o.errors);
+    option(sub, "--json", o.json);
+    option(sub, "--format", o.format);
+    option(sub, "--out", o.out);
+    option(sub, "--junit", o.junit);
+    option(sub, "--ledger", o.ledger);
+    option(sub, "--threads", o.threads);
 }
 
 } // namespace edgeproof::cli

@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/comparison/comparison.hpp"
-#include "edgeproof/io/foreign_text.hpp"
-#include "edgeproof/io/output_file.hpp"
-#include "edgeproof/precision/message.hpp"
-#include "edgeproof/report/tables/comparison_report.hpp"
-#include "edgeproof/report/text/program_line.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -128,38 +122,24 @@ int compare_results(const CompareOptions& o) {
 } // namespace
 
 void add_compare(CLI::App& app, int& code) {
-    auto [sub, o] = add_command<CompareOptions>(
-        app, code, "compare", "results of a mesh (x and p), compared with the exact contact",
-        compare_results);
-    sub.add_option("scene", o.scene, "the scene (TOML)");
-    sub.add_option("results", o.results,
-                   "tables of x and p, as programs write them (also .frd of CalculiX); several: "
-                   "of finer and finer meshes");
-    add_step_option(sub, o.step);
-    sub.add_option("--columns", o.columns, "x=1,p=3 or x=COORD1,p=CPRESS: which columns");
-    sub.add_option("--scale", o.scale, "x=1e-3,p=1e6: multiply what the files have");
-    sub.add_option("--origin", o.origin,
-                   "x of the data at the scene's origin, or auto: fitted to the data")
-        ->capture_default_str();
-    sub.add_option("--tolerance", o.tolerance,
-                   "pass with an error of p within this (default: 3%), or p=3%,a=1%,P=...,c0=...,"
-                   "q=...,surface=...: also a and b, P, c_0, q, or gap, slip and sxx");
+    auto [sub, o] = add_command<CompareOptions>(app, code, "compare", compare_results);
+    option(sub, "scene", o.scene);
+    option(sub, "results", o.results);
+    option(sub, "--step", o.step);
+    option(sub, "--columns", o.columns);
+    option(sub, "--scale", o.scale);
+    option(sub, "--origin", o.origin);
+    option(sub, "--tolerance", o.tolerance);
     for (const ToleranceRow& row : tolerance_rows) { // the older spelling
         const std::string name(row.name);
         sub.add_option("--tolerance-" + name, o.tolerances[name])->group("");
     }
-    sub.add_option("--of", o.of, "what that error is relative to")
-        ->capture_default_str()
-        ->type_name("peak|local|L2");
-    sub.add_option("--edge-zone", o.zone,
-                   "leave out the nodes near the edges: 2e (elements), or a length")
-        ->capture_default_str();
-    sub.add_flag("--partial", o.partial,
-                 "the data hold a part of the contact: compare p at their nodes, though they do "
-                 "not determine a, b, P and the largest p");
-    sub.add_flag("--json", o.json, "as --format json");
-    sub.add_option("--format", o.format, "default: text")->type_name("text|json");
-    sub.add_option("--out", o.out, "write the comparison to this file (-: standard output)");
+    option(sub, "--of", o.of);
+    option(sub, "--edge-zone", o.zone);
+    option(sub, "--partial", o.partial);
+    option(sub, "--json", o.json);
+    option(sub, "--format", o.format);
+    option(sub, "--out", o.out);
 }
 
 } // namespace edgeproof::cli

@@ -1,10 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/commands/compute.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <set>
+
 namespace edgeproof::cli {
 
 using scene::Quantity;
 using scene::QuantityGroup;
+
+namespace {
+
+/// The values of each quantity with their routes and bits: a line each.
+std::string values_by_quantity(const scene::SceneResult& result) {
+    struct Values {
+        std::size_t count = 0;
+        std::size_t proved = 0;
+        long bits = 0;
+        std::set<std::string> routes;
+    };
+    std::map<scene::Quantity, Values> by_quantity;
+    for (const scene::Row& row : result.rows) {
+        if (row.value) {
+            Values& values = by_quantity[row.asked.quantity];
+            ++values.count;
+            values.proved += row.value->proved ? 1 : 0;
+            values.bits = std::max(values.bits, row.value->value.bits());
+            values.routes.insert(row.value->route);
+        }
+    }
+    std::string text;
+    for (const auto& [quantity, values] : by_quantity) {
+        const scene::QuantityRow& row = row_of(quantity);
+        text += fmt::format("{}: {} value{}, {} proved, at most {} bits, {}\n",
+                            row.symbol.empty() ? row.name : row.symbol, values.count,
+                            values.count == 1 ? "" : "s", values.proved, values.bits,
+                            fmt::join(values.routes, "; "));
+    }
+    return text;
+}
+
+} // namespace
 
 void Computing::run(QuantityGroup own, const std::vector<QuantityGroup>& others) {
     ask_for(scene, o, own, others);
@@ -12,8 +53,36 @@ void Computing::run(QuantityGroup own, const std::vector<QuantityGroup>& others)
 }
 
 void Computing::run() {
-    result = done(scene, o);
-    table = values_table(scene, result);
+    scene::RunProgress progress;
+    result = with_progress("values", progress, [&] {
+        return io::at_place(scene.file, scene.load_line,
+                            [&] { return run_scene(scene, progress); });
+    });
+    if (o.verbose) {
+        std::fputs(values_by_quantity(result).c_str(), stderr);
+    }
+    table.title = scene.title;
+    table.facts = {{"scene", scene.file},
+                   {"digits", std::to_string(scene.ask.digits.count)},
+                   {"rounding", std::string(rounding_name(scene.ask.digits.rounding))}};
+    if (scene.units) {
+        table.facts.push_back({"units", scene.units->text(scene.round.has_value())});
+    }
+    add_fact(scene::symbol_of({Quantity::alpha}), Quantity::alpha);
+    for (const scene::QuantityRow& row : scene::quantity_rows()) {
+        if (row.quantity != Quantity::alpha &&
+            (row.group == QuantityGroup::contact || row.group == QuantityGroup::peak)) {
+            add_fact(scene::symbol_of({row.quantity}), row.quantity);
+        }
+    }
+}
+
+void Computing::add_fact(const std::string& key, Quantity quantity) {
+    if (const scene::Row* row = result.find(quantity)) {
+        const scene::PrintedValue p = printed(*row->value, scene.ask.digits);
+        table.facts.push_back(
+            {key, p.text, p.bound, how(*row->value, p), unit_of(scene, quantity)});
+    }
 }
 
 void Computing::add_slip_facts() {
@@ -29,7 +98,7 @@ void Computing::add_slip_facts() {
           std::pair{"most_bulk_tension", Quantity::most_tension},
           std::pair{"step_energy", Quantity::step_energy},
           std::pair{"cycle_energy", Quantity::cycle_energy}}) {
-        add_fact(facts, key, scene, result, quantity);
+        add_fact(key, quantity);
     }
     if (scene.round) {
         facts.push_back({"assumption",
@@ -43,18 +112,14 @@ void Computing::add_slip_facts() {
     }
 }
 
-int Computing::write(const Columns& columns, const std::vector<Line>& lines,
-                     const std::vector<std::string>& remarks) {
-    columns.write(table, lines);
-    return write(remarks);
-}
-
 int Computing::write(const std::vector<std::string>& remarks) {
     if (!bounds.empty()) {
         table.remarks.push_back(bounds);
     }
     table.remarks.insert(table.remarks.end(), remarks.begin(), remarks.end());
-    draw_figure_option(scene, o);
+    if (!o.figure.empty()) {
+        io::write_whole(o.figure, report::picture_file(picture_of(scene), o.figure));
+    }
     emit(table, o);
     return 0;
 }
@@ -98,61 +163,27 @@ namespace {
 struct Set {
     const char* name;
     int (*compute)(const ComputeOptions&);
-    const char* help;
-    const char* footer;
 };
-constexpr Set sets[] = {
-    {"pressure", pressure, "pressures of a scene, each with a bound", ""},
-    {"expand", expand, "coefficients of the expansion at the edges, with bounds",
-     "Of several numbers of terms the greatest; 3 where none is given. Both edges unless the scene "
-     "has edges."},
-    {"extent", extent, "how far from each edge n terms stay within a tolerance of the pressure",
-     "1, 2 and 3 terms at both edges unless the scene has terms and edges."},
-    {"slip", slip, "the slip zones of a scene with friction, exact and by n terms of their series",
-     "P is held, then Q (and bulk_tension) are applied. What slips has |q| = f p in the\n"
-     "direction of Q; what sticks is strained alike in both bodies. With a tolerance, the Q/(f P)\n"
-     "up to which n terms stay within it is found, too. See docs/partial-slip.md."},
-    {"stress", stress, "stresses at points of a body, each with a bound",
-     "z is the depth into the body. [shear] bulk_A is the bulk stress of body A, and B has\n"
-     "bulk_A + bulk_tension. See docs/stress.md."},
-    {"displacement", displacement,
-     "the gap outside the contact and the slip inside, each with a bound", "See docs/stress.md."}};
+constexpr Set sets[] = {{"pressure", pressure}, {"expand", expand}, {"extent", extent},
+                        {"slip", slip},         {"stress", stress}, {"displacement", displacement}};
 
 void add_set(CLI::App& app, int& code, const Set& set) {
-    auto [sub, o] = add_command<ComputeOptions>(app, code, set.name, set.help, set.compute);
+    auto [sub, o] = add_command<ComputeOptions>(app, code, set.name, set.compute);
     add_scene_options(sub, o);
-    if (*set.footer != '\0') {
-        sub.footer(set.footer);
-    }
     const std::string_view name = set.name;
     if (name == "pressure" || name == "expand" || name == "extent") {
-        sub.add_option("--figure", o.figure,
-                       "also draw the pressure and the first terms (edgeproof plot) into this "
-                       "file: .svg, .png or .pdf");
+        option(sub, "--figure", o.figure);
     }
     if (name == "expand" || name == "stress" || name == "displacement") {
-        sub.add_option("--body", o.body,
-                       "the body, A (default; Q acts on it) or B: of the stresses, of --angle, of "
-                       "the surface")
-            ->type_name("A|B");
+        option(sub, "--body", o.body);
     }
     if (name == "expand") {
-        sub.add_option("--angle", o.angle,
-                       "stresses instead of the pressure, along a ray into the body at this "
-                       "angle: 0 degrees is along the contact, 90 downwards, 180 along the free "
-                       "surface");
+        option(sub, "--angle", o.angle);
     } else if (name == "stress") {
-        sub.add_option("--point", o.points,
-                       "X,Z: place and depth (default: points of [ask]); repeatable")
-            ->allow_extra_args(false);
-        sub.add_option(
-            "--greatest", o.greatest,
-            "mises, tau_max (for z >= 0) or sxx (at z = 0): one row, the greatest value "
-            "and its place, proved; of an axisymmetric contact tau_max or mises, on the axis");
+        option(sub, "--point", o.points)->allow_extra_args(false);
+        option(sub, "--greatest", o.greatest);
     } else if (name == "displacement") {
-        sub.add_option("--reference", o.reference,
-                       "the place x whose displacement is 0: adds ux, uz, slope and dissipation of "
-                       "the surface of a body (default: the scene's)");
+        option(sub, "--reference", o.reference);
     }
 }
 

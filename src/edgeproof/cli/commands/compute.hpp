@@ -26,15 +26,21 @@ public:
     /// Computes the set's own quantities, and those of `others` that the scene names.
     void run(scene::QuantityGroup own,
              const std::vector<scene::QuantityGroup>& others = {scene::QuantityGroup::contact});
-    /// Computes the quantities that the scene asks for.
+    /// Computes the quantities that the scene asks for, with progress on a terminal; SIGINT stops
+    /// it. --verbose shows on stderr what was computed. The facts of the table are the digits, and
+    /// a and b, P and M if they were asked for.
     void run();
     /// Adds, with friction, Q/(f P), the stick zone, and the allowed bulk tensions.
     void add_slip_facts();
     void note(std::string text) { table.notes.push_back(std::move(text)); }
-    /// Writes the table with a row for each line, and the picture if there is to be one.
-    int write(const Columns& columns, const std::vector<Line>& lines,
-              const std::vector<std::string>& remarks = {});
-    /// Writes the table as it is.
+    /// Adds a row for each line: fill(Row&, line).
+    template <class Fill> void add_rows(const std::vector<Line>& lines, const Fill& fill) {
+        for (const Line& line : lines) {
+            Row row(scene, table, line);
+            fill(row, line);
+        }
+    }
+    /// Writes the table, and the picture if there is to be one.
     int write(const std::vector<std::string>& remarks = {});
     /// Throws InputError with a line of the scene.
     [[noreturn]] void reject(const std::string& problem, const std::string& instead,
@@ -47,6 +53,10 @@ public:
     report::Table table;
     std::string bounds = "bounds are proved, and every digit printed is right, unless the route "
                          "says estimate"; ///< the remark
+
+private:
+    /// Adds the value of a quantity of the contact, if it was computed.
+    void add_fact(const std::string& key, scene::Quantity quantity);
 };
 
 [[nodiscard]] std::string edge_of(const Line& line);

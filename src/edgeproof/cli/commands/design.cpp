@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/io/text_file.hpp"
-#include "edgeproof/io/toml/toml_text.hpp"
-#include "edgeproof/report/tables/design_table.hpp"
-#include "edgeproof/report/text/percent.hpp"
-#include "edgeproof/scene/design/design_file.hpp"
 
 #include <fmt/format.h>
 
@@ -100,20 +95,12 @@ int run(const DesignCommandOptions& o) {
 } // namespace
 
 void add_design(CLI::App& app, int& code) {
-    auto [sub, o] = add_command<DesignCommandOptions>(
-        app, code, "design", "the parameter of a scene for which an approximation reaches farthest",
-        run);
+    auto [sub, o] = add_command<DesignCommandOptions>(app, code, "design", run);
     add_given_scene(sub, o);
-    sub.add_option("--maximise", o.maximise,
-                   "what the approximation is to reach (default: the scene's, else first_exit)")
-        ->type_name("first_exit|measure");
-    sub.add_option("--digits", o.digits, "significant digits (default: 30; 6 on a terminal)");
-    sub.add_option("--gap", o.gap,
-                   "nothing else in the range does better by more: proved (default: 1e-6)");
+    option(sub, "--maximise", o.maximise);
+    option(sub, "--digits", o.digits);
+    option(sub, "--gap", o.gap);
     add_table_options(sub, o);
-    sub.footer(
-        "Words: one key is a range (t=0..0.9), with a tolerance; terms=1 and edges=right are "
-        "the defaults.");
 }
 
 } // namespace edgeproof::cli

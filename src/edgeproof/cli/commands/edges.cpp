@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/commands/compute.hpp"
 
-#include "edgeproof/report/text/percent.hpp"
-
 #include <algorithm>
 
 /// The commands whose rows are those of the edges.
@@ -42,33 +40,23 @@ int expand(const ComputeOptions& o) {
             }
         }
     }
-    const auto asked = [](const Line& line) { return line.at.begin()->asked; };
-    Columns columns(c.scene);
     using Shown = report::Column::Shown;
-    columns.text("edge", edge_of, "{} edge");
-    columns.text(
-        "coefficient", [=](const Line& l) { return symbol_of(asked(l)); }, "{} =");
-    columns
-        .add("k", Columns::Kind::count, [=](const Line& l) { return std::to_string(asked(l).k); })
-        .shown = Shown::not_on_terminal;
-    columns
-        .text("power",
-              [&, asked](const Line& l) {
-                  const int half_powers =
-                      asked(l).quantity == Quantity::c ? 1 : scene::shear_half_powers(c.scene);
-                  return std::to_string(2 * static_cast<long>(asked(l).k) + half_powers) + "/2";
-              })
-        .shown = Shown::not_on_terminal;
-    columns.value("value", "route", [](const Line& l) { return l.at.begin()->value; }).phrase =
-        "{}";
-    columns
-        .text(
-            "unit",
-            [&, asked](const Line& l) { return unit_of(c.scene, asked(l).quantity, asked(l).k); },
-            "{}")
-        .shown = Shown::on_terminal_only;
-    columns.column(5).name = "bound"; // not value_bound
-    return c.write(columns, lines);
+    c.add_rows(lines, [&](Row& row, const Line& line) {
+        const scene::AskedValue& asked = line.at.begin()->asked;
+        const int half_powers =
+            asked.quantity == Quantity::c ? 1 : scene::shear_half_powers(c.scene);
+        const long halves = 2 * static_cast<long>(asked.k) + half_powers;
+        row.text("edge", edge_of(line), "{} edge");
+        row.text("coefficient", symbol_of(asked), "{} =");
+        row.add("k", report::Column::Kind::count, std::to_string(asked.k)).shown =
+            Shown::not_on_terminal;
+        row.text("power", std::to_string(halves) + "/2").shown = Shown::not_on_terminal;
+        row.value("value", "route", line.at.begin()->value).phrase = "{}";
+        row.text("unit", unit_of(c.scene, asked.quantity, asked.k), "{}").shown =
+            Shown::on_terminal_only;
+    });
+    c.table.columns.at(5).name = "bound"; // not value_bound
+    return c.write();
 }
 
 int extent(const ComputeOptions& o) {
@@ -110,55 +98,36 @@ int extent(const ComputeOptions& o) {
             lines.push_back({edge, n});
         }
     }
-    const auto exit = [](const Line& l) -> const scene::Row& {
-        return l.at.row(Quantity::extent, l.n);
-    };
-    Columns columns(c.scene);
     using Shown = report::Column::Shown;
-    columns.text("edge", edge_of, "{} edge");
-    columns.add("n", Columns::Kind::count, [](const Line& l) { return std::to_string(l.n); });
-    report::Column& first = columns.value("first_exit", "", [=](const Line& l) {
-        return exit(l).reached ? exit(l).value : std::nullopt;
+    c.add_rows(lines, [&](Row& row, const Line& line) {
+        const scene::Row& exit = line.at.row(Quantity::extent, line.n);
+        row.text("edge", edge_of(line), "{} edge");
+        row.add("n", report::Column::Kind::count, std::to_string(line.n));
+        report::Column& first =
+            row.value("first_exit", "", exit.reached ? exit.value : std::nullopt);
+        first.phrase = "up to u = {}";
+        first.unit = unit_of(c.scene, Quantity::extent);
+        const std::string fraction =
+            exit.reached ? printed(line.at.at(Quantity::extent_fraction, line.n), ask.digits).text
+                         : "";
+        row.add("first_exit_fraction", report::Column::Kind::number, fraction).phrase =
+            "{} of a + b";
+        row.text("everywhere", exit.reached ? "" : "in the whole part that is looked at").shown =
+            Shown::on_terminal_only;
+        row.value("measure", "", Quantity::measure).shown = Shown::not_on_terminal;
+        row.number("measure_fraction", Quantity::measure_fraction).shown = Shown::not_on_terminal;
+        if (ask.process_zone) {
+            row.text("covers_zone", covers_zone(c.scene, *exit.value) ? "yes" : "no",
+                     "covers the process zone: {}");
+        }
+        std::string all;
+        for (std::size_t j = 0; const auto* u = line.at.find(Quantity::crossing, line.n, j); ++j) {
+            all += (all.empty() ? "" : " ") + printed(*u->value, ask.digits).text;
+        }
+        row.text("crossings", all.empty() ? "none" : all).shown = Shown::not_on_terminal;
+        row.route(exit.value->how());
     });
-    first.phrase = "up to u = {}";
-    first.unit = unit_of(c.scene, Quantity::extent);
-    columns
-        .add("first_exit_fraction", Columns::Kind::number,
-             [&, exit](const Line& l) {
-                 return exit(l).reached
-                            ? printed(l.at.at(Quantity::extent_fraction, l.n), ask.digits).text
-                            : "";
-             })
-        .phrase = "{} of a + b";
-    columns
-        .text("everywhere",
-              [=](const Line& l) {
-                  return exit(l).reached ? "" : "in the whole part that is looked at";
-              })
-        .shown = Shown::on_terminal_only;
-    columns.value("measure", "", Quantity::measure).shown = Shown::not_on_terminal;
-    columns.number("measure_fraction", Quantity::measure_fraction).shown = Shown::not_on_terminal;
-    if (ask.process_zone) {
-        columns.text(
-            "covers_zone",
-            [&, exit](const Line& l) {
-                return covers_zone(c.scene, *exit(l).value) ? "yes" : "no";
-            },
-            "covers the process zone: {}");
-    }
-    columns
-        .text("crossings",
-              [&](const Line& l) {
-                  std::string all;
-                  for (std::size_t j = 0; const auto* u = l.at.find(Quantity::crossing, l.n, j);
-                       ++j) {
-                      all += (all.empty() ? "" : " ") + printed(*u->value, ask.digits).text;
-                  }
-                  return all.empty() ? "none" : all;
-              })
-        .shown = Shown::not_on_terminal;
-    columns.route([=](const Line& l) { return exit(l).value->how(); });
-    return c.write(columns, lines);
+    return c.write();
 }
 
 void note_slip(Computing& c, bool series) {
@@ -211,42 +180,32 @@ int slip(const ComputeOptions& o) {
     note_slip(c, series);
     c.table.asked =
         "size d of the slip zone at each edge, and d_n by the first n terms of its series";
-    Columns columns(c.scene);
-    columns.text("edge", edge_of, "{} edge");
-    columns.value("d", "route", [](const Line& l) { return marked(l.at, Quantity::slip, ""); })
-        .unit = unit_of(c.scene, Quantity::slip);
-    for (const std::size_t n : ask.terms) {
-        columns.number("d_" + std::to_string(n), Quantity::slip_terms, n);
-        columns.number("rel_" + std::to_string(n), Quantity::slip_rel, n);
-    }
-    for (const std::size_t n : ask.tolerance ? ask.terms : std::vector<std::size_t>{}) {
-        const std::string name = "slip_load_" + std::to_string(n);
-        const auto load = [n](const Line& l) -> const scene::Row& {
-            return l.at.row(Quantity::slip_load, n);
-        };
-        columns.value(name, "", [=](const Line& l) { return load(l).value; });
-        columns
-            .text(name + "_route",
-                  [=](const Line& l) -> std::string {
-                      return !load(l).value    ? "undecided"
-                             : load(l).reached ? load(l).value->how()
-                                               : "full sliding";
-                  })
-            .role = report::Column::Role::route;
-    }
-    const std::vector<Line> edges = lines_of(c.result.at_edges(QuantityGroup::slip));
     std::vector<std::string> negative;
-    for (const Line& edge : edges) {
+    c.add_rows(lines_of(c.result.at_edges(QuantityGroup::slip)), [&](Row& row, const Line& line) {
+        row.text("edge", edge_of(line), "{} edge");
+        row.value("d", "route", marked(line.at, Quantity::slip, "")).unit =
+            unit_of(c.scene, Quantity::slip);
         for (const std::size_t n : ask.terms) {
-            if (certainly_negative(edge.at.at(Quantity::slip_terms, n).value)) {
+            row.number("d_" + std::to_string(n), Quantity::slip_terms, n);
+            row.number("rel_" + std::to_string(n), Quantity::slip_rel, n);
+            if (certainly_negative(line.at.at(Quantity::slip_terms, n).value)) {
                 negative.push_back("d_" + std::to_string(n) + " is negative at the " +
-                                   edge_of(edge) +
+                                   edge_of(line) +
                                    " edge: with this number of terms the series gives no slip "
                                    "zone; use d, or more terms");
             }
         }
-    }
-    return c.write(columns, edges, negative);
+        for (const std::size_t n : ask.tolerance ? ask.terms : std::vector<std::size_t>{}) {
+            const std::string name = "slip_load_" + std::to_string(n);
+            const scene::Row& load = line.at.row(Quantity::slip_load, n);
+            row.value(name, "", load.value);
+            row.text(name + "_route", !load.value    ? "undecided"
+                                      : load.reached ? load.value->how()
+                                                     : "full sliding")
+                .role = report::Column::Role::route;
+        }
+    });
+    return c.write(negative);
 }
 
 } // namespace edgeproof::cli

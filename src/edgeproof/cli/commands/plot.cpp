@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/io/text_file.hpp"
-#include "edgeproof/report/figures/scene_figure.hpp"
-#include "edgeproof/scene/input/readers.hpp"
 
 namespace edgeproof::cli {
 namespace {
@@ -40,22 +37,11 @@ int plot(PlotOptions& o) {
 } // namespace
 
 void add_plot(CLI::App& app, int& code) {
-    auto [sub, o] = add_command<PlotOptions>(
-        app, code, "plot",
-        "a picture of a scene: the pressure, the first terms, and where they are good", plot);
+    auto [sub, o] = add_command<PlotOptions>(app, code, "plot", plot);
     add_given_scene(sub, o);
-    sub.add_option("--out,--figure", o.out,
-                   "write to this file, by its ending .svg, .png or .pdf, whole or not at all");
-    sub.add_option("--field", o.field,
-                   "in place of the pressure the contours of a stress below the contact: sxx, szz, "
-                   "sxz, tau_max or mises");
-    sub.add_option("--body", o.body, "the body of --field: Q acts on A")
-        ->capture_default_str()
-        ->type_name("A|B");
-    sub.footer(
-        "A .png and a .pdf are made by rsvg-convert. The edges are those of the scene, else the "
-        "right one; the tolerance is 1 %, and the terms are 1, 2 and 3, unless the scene has its "
-        "own.");
+    option(sub, "--out,--figure", o.out);
+    option(sub, "--field", o.field);
+    option(sub, "--body", o.body);
 }
 
 } // namespace edgeproof::cli

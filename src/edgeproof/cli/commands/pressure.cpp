@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/commands/compute.hpp"
 
-#include "edgeproof/formula/exact/enclosure.hpp"
-
 #include <algorithm>
 
 namespace edgeproof::cli {
@@ -48,41 +46,34 @@ void write_facts(report::Table& table, const std::vector<report::Fact>& facts) {
     }
 }
 
-/// `no_shear`: the shear is asked for after a step of a history before there is any.
-Columns columns_at_points(const Computing& c, bool by_name, bool no_shear) {
+/// `by_name`: places are given by names; `no_shear`: the shear is asked for after a step of a
+/// history before there is any.
+void fill(Row& row, const Line& line, const Computing& c, bool by_name, bool no_shear) {
     const scene::Scene& scene = c.scene;
     const scene::Plan& plan = c.result.plan;
-    Columns columns(scene);
-    columns.text("edge", edge_of, "{} edge");
+    const scene::Digits& digits = scene.ask.digits;
+    row.text("edge", edge_of(line), "{} edge");
     if (by_name) {
-        columns
-            .text("asked",
-                  [&](const Line& line) {
-                      return scene.ask.u[line.at.point()].text(scene.ask.digits);
-                  })
-            .shown = report::Column::Shown::not_on_terminal;
+        row.text("asked", scene.ask.u[line.at.point()].text(digits)).shown =
+            report::Column::Shown::not_on_terminal;
     }
-    columns
-        .add("u", Columns::Kind::number,
-             [&](const Line& line) {
-                 const std::optional<formula::Exact>& u = line.at.row(Quantity::x).asked.u;
-                 const scene::Row* const row = line.at.find(Quantity::u); // null outside
-                 return u                ? decimal_text(*u, scene.ask.digits)
-                        : row != nullptr ? printed(*row->value, scene.ask.digits).text
-                                         : std::string();
-             })
+    const std::optional<formula::Exact>& u = line.at.row(Quantity::x).asked.u;
+    const scene::Row* const distance = line.at.find(Quantity::u); // null outside
+    row.add("u", report::Column::Kind::number,
+            u                     ? decimal_text(*u, digits)
+            : distance != nullptr ? printed(*distance->value, digits).text
+                                  : std::string())
         .unit = unit_of(scene, Quantity::x);
-    columns.number("x", Quantity::x);
-    const auto approximations = [&](const std::string& prefix, Quantity sum, Quantity error) {
-        for (const std::size_t n : plan.terms > 0 ? scene.ask.terms : std::vector<std::size_t>{}) {
-            columns.number(prefix + "local_" + std::to_string(n), sum, n);
-            columns.number(prefix + "rel_" + std::to_string(n), error, n);
-        }
-    };
+    row.number("x", Quantity::x);
     const auto traction = [&](const std::string& name, const std::string& route, Quantity quantity,
                               const std::string& prefix) {
-        columns.value(name, route, [=](const Line& l) { return marked(l.at, quantity, prefix); })
-            .unit = unit_of(scene, quantity);
+        row.value(name, route, marked(line.at, quantity, prefix)).unit = unit_of(scene, quantity);
+    };
+    const auto approximations = [&](const std::string& prefix, Quantity sum, Quantity error) {
+        for (const std::size_t n : plan.terms > 0 ? scene.ask.terms : std::vector<std::size_t>{}) {
+            row.number(prefix + "local_" + std::to_string(n), sum, n);
+            row.number(prefix + "rel_" + std::to_string(n), error, n);
+        }
     };
     traction("p", "route", Quantity::p, "");
     approximations("", Quantity::local, Quantity::rel);
@@ -91,27 +82,20 @@ Columns columns_at_points(const Computing& c, bool by_name, bool no_shear) {
         traction("q", "q_route", Quantity::q, "q_");
     }
     if (shear && plan.partial_slip) {
-        columns.add("q_over_fp", Columns::Kind::number, [&](const Line& line) {
-            return is_outside(line.at) ? ""
-                                       : printed(friction_used(scene, line.at),
-                                                 digits_of(Quantity::rel, scene.ask.digits))
-                                             .text;
-        });
-        columns.text(
-            "state",
-            [](const Line& line) {
-                return is_outside(line.at) ? "" : state_name(line.at.row(Quantity::q).state);
-            },
-            "{}");
+        const bool outside = is_outside(line.at);
+        row.add(
+            "q_over_fp", report::Column::Kind::number,
+            outside
+                ? ""
+                : printed(friction_used(scene, line.at), digits_of(Quantity::rel, digits)).text);
+        row.text("state", outside ? "" : state_name(line.at.row(Quantity::q).state), "{}");
     } else if (shear) {
         approximations("q_", Quantity::q_local, Quantity::q_rel);
     }
     if (no_shear) {
-        columns.value("q", "q_route", [](const Line&) {
-            return scene::BoundedValue{Ball(0, 64), true, "no shear load", Rational(0)};
-        });
+        row.value("q", "q_route",
+                  scene::BoundedValue{Ball(0, 64), true, "no shear load", Rational(0)});
     }
-    return columns;
 }
 
 void note_shear(Computing& c) {
@@ -172,7 +156,9 @@ int pressure(const ComputeOptions& o) {
                     : ask.wants(QuantityGroup::peak) ? "the greatest pressure"
                                                      : "the edges and the load";
     if (pressures) {
-        return c.write(columns_at_points(c, by_name, no_shear), lines_of(c.result.points()));
+        c.add_rows(lines_of(c.result.points()),
+                   [&](Row& row, const Line& line) { fill(row, line, c, by_name, no_shear); });
+        return c.write();
     }
     write_facts(c.table, facts);
     return c.write();

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/relations/relations.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/report/tables/design_table.hpp"
 
 #include <string>
 #include <vector>
@@ -43,17 +41,12 @@ int relations(const RelationsOptions& o) {
 } // namespace
 
 void add_relations(CLI::App& app, int& code) {
-    auto [sub, o] = add_command<RelationsOptions>(
-        app, code, "relations",
-        "polynomial relations between multipliers that hold along every profile", relations);
-    sub.add_option("quantities", o.quantities,
-                   "left.c1, right.c0, right.s0, b1, L, ...: what they are between; powers of the "
-                   "first are eliminated first")
-        ->required();
-    sub.add_option("--degree", o.degree, "total degree up to which all are found (default: 4)");
-    sub.add_flag("--symmetric", o.symmetric, "b = a");
-    sub.add_option("--given", o.given, "NAME=FORMULA, such as P2=m*P1/a: what is not free");
-    sub.add_option("--free", o.free, "a further free name, such as m");
+    auto [sub, o] = add_command<RelationsOptions>(app, code, "relations", relations);
+    option(sub, "quantities", o.quantities);
+    option(sub, "--degree", o.degree);
+    option(sub, "--symmetric", o.symmetric);
+    option(sub, "--given", o.given);
+    option(sub, "--free", o.free);
     add_table_options(sub, o);
 }
 

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/commands/compute.hpp"
-#include "edgeproof/io/text_file.hpp"
-#include "edgeproof/scene/input/readers.hpp"
-#include "edgeproof/scene/run_scene.hpp"
 
 namespace edgeproof::cli {
 namespace {
@@ -46,15 +43,13 @@ int greatest(Computing& c) {
     c.table.asked = c.table.notes.front() + ", and its place";
     c.table.notes.insert(c.table.notes.end(), found.notes.begin(), found.notes.end());
     c.add_slip_facts();
-    Columns columns(c.scene);
-    columns.text(
-        "body", [&](const Line&) { return c.body; }, "body {}");
-    const std::string length = unit_of(c.scene, Quantity::x);
-    columns.value("x", "", [&](const Line&) { return found.x; }).unit = length;
-    columns.value("z", "", [&](const Line&) { return found.z; }).unit = length;
-    columns.value(name, "route", [&](const Line&) { return found.value; }).unit =
-        unit_of(c.scene, quantity);
-    return c.write(columns, {Line{}});
+    c.add_rows({Line{}}, [&](Row& row, const Line&) {
+        row.text("body", c.body, "body {}");
+        row.value("x", "", found.x).unit = unit_of(c.scene, Quantity::x);
+        row.value("z", "", found.z).unit = unit_of(c.scene, Quantity::x);
+        row.value(name, "route", found.value).unit = unit_of(c.scene, quantity);
+    });
+    return c.write();
 }
 
 /// Returns x of a place that depends on a or b.
@@ -122,25 +117,23 @@ int stress(const ComputeOptions& o) {
                  "(nu in [load])");
     c.add_slip_facts();
     c.table.asked = "stresses at the place x and the depth z of a body";
-    Columns columns(c.scene);
-    columns.text(
-        "body", [&](const Line&) { return c.body; }, "body {}");
-    for (const auto& [name, part] :
-         {std::pair{"x", &scene::BodyPoint::x}, std::pair{"z", &scene::BodyPoint::z}}) {
-        columns
-            .add(name, Columns::Kind::number,
-                 [&points, &c, part = part](const Line& l) {
-                     return decimal_text(points[l.at.point()].*part, c.scene.ask.digits);
-                 })
-            .unit = unit_of(c.scene, Quantity::x);
-    }
-    for (const scene::QuantityRow& row : scene::quantity_rows()) {
-        if (row.group == QuantityGroup::stress && is_known(c.scene, row.quantity, body)) {
-            columns.value(std::string(row.name), "", row.quantity);
-        }
-    }
-    columns.route([](const Line& l) { return l.at.row(Quantity::sxx).value->how(); });
-    return c.write(columns, lines_of(c.result.at_places(scene::QuantityRow::Place::body)));
+    const std::string length = unit_of(c.scene, Quantity::x);
+    c.add_rows(
+        lines_of(c.result.at_places(scene::QuantityRow::Place::body)),
+        [&](Row& row, const Line& line) {
+            using Kind = report::Column::Kind;
+            const scene::BodyPoint& point = points[line.at.point()];
+            row.text("body", c.body, "body {}");
+            row.add("x", Kind::number, decimal_text(point.x, c.scene.ask.digits)).unit = length;
+            row.add("z", Kind::number, decimal_text(point.z, c.scene.ask.digits)).unit = length;
+            for (const scene::QuantityRow& def : scene::quantity_rows()) {
+                if (def.group == QuantityGroup::stress && is_known(c.scene, def.quantity, body)) {
+                    row.value(std::string(def.name), "", def.quantity);
+                }
+            }
+            row.route(line.at.row(Quantity::sxx).value->how());
+        });
+    return c.write();
 }
 
 int displacement(const ComputeOptions& o) {
@@ -177,25 +170,27 @@ int displacement(const ComputeOptions& o) {
                             : "0 where the contact sticks"));
     c.add_slip_facts();
     c.table.asked = "gap between the surfaces outside the contact, slip inside";
-    Columns columns(c.scene);
-    columns
-        .add("x", Columns::Kind::number,
-             [&](const Line& l) { return x_of(c, ask.u[l.at.point()]); })
-        .unit = unit_of(c.scene, Quantity::x);
-    for (const Quantity quantity : {Quantity::gap, Quantity::slip_displacement, Quantity::ux,
-                                    Quantity::uz, Quantity::slope, Quantity::dissipation}) {
-        if (ask.reference || row_of(quantity).group == QuantityGroup::displacement) {
-            columns.value(std::string(row_of(quantity).name), "", quantity);
-        }
-    }
     if (ask.reference) {
         c.note("ux, uz: the displacement of the surface of body " + c.body +
                " along x and into the body, less that of the reference; slope: duz/dx; "
                "dissipation: the energy that friction takes, per area, in a cycle from -Q to Q and "
                "back, P held");
     }
-    columns.route([](const Line& l) { return l.at.begin()->value->how(); });
-    return c.write(columns, lines_of(c.result.at_places(scene::QuantityRow::Place::surface)));
+    c.add_rows(
+        lines_of(c.result.at_places(scene::QuantityRow::Place::surface)),
+        [&](Row& row, const Line& line) {
+            row.add("x", report::Column::Kind::number, x_of(c, ask.u[line.at.point()])).unit =
+                unit_of(c.scene, Quantity::x);
+            for (const Quantity quantity :
+                 {Quantity::gap, Quantity::slip_displacement, Quantity::ux, Quantity::uz,
+                  Quantity::slope, Quantity::dissipation}) {
+                if (ask.reference || row_of(quantity).group == QuantityGroup::displacement) {
+                    row.value(std::string(row_of(quantity).name), "", quantity);
+                }
+            }
+            row.route(line.at.begin()->value->how());
+        });
+    return c.write();
 }
 
 int expand_stresses(const ComputeOptions& o) {
@@ -221,22 +216,20 @@ int expand_stresses(const ComputeOptions& o) {
     c.note("each stress is the sum of its coefficients times r^power; |value - exact| <= bound");
     c.bounds = "bounds are proved, and every digit printed is right";
     c.table.asked = "coefficients of the stresses near the edges";
-    Columns columns(c.scene);
-    const auto term = [&](const Line& l) -> const scene::RayTerm& { return terms[l.n]; };
-    columns.text(
-        "edge", [=](const Line& l) { return scene::edge_name(term(l).edge); }, "{} edge");
-    columns.text(
-        "power", [=](const Line& l) { return std::to_string(term(l).halves) + "/2"; }, "r^({}):");
-    for (std::size_t i = 0; i < scene::ray_stresses.size(); ++i) {
-        columns.value(std::string(row_of(scene::ray_stresses[i]).name),
-                      i + 1 == scene::ray_stresses.size() ? "route" : "",
-                      [=](const Line& l) { return std::optional(term(l).values[i]); });
-    }
     std::vector<Line> lines(terms.size());
     for (std::size_t i = 0; i < lines.size(); ++i) {
         lines[i].n = i;
     }
-    return c.write(columns, lines);
+    c.add_rows(lines, [&](Row& row, const Line& line) {
+        const scene::RayTerm& term = terms[line.n];
+        row.text("edge", scene::edge_name(term.edge), "{} edge");
+        row.text("power", std::to_string(term.halves) + "/2", "r^({}):");
+        for (std::size_t i = 0; i < scene::ray_stresses.size(); ++i) {
+            row.value(std::string(row_of(scene::ray_stresses[i]).name),
+                      i + 1 == scene::ray_stresses.size() ? "route" : "", term.values[i]);
+        }
+    });
+    return c.write();
 }
 
 } // namespace edgeproof::cli

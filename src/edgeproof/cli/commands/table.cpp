@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/io/output_file.hpp"
-#include "edgeproof/io/text_file.hpp"
-#include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/report/tables/reference_table.hpp"
-#include "edgeproof/report/tables/table_in_parts.hpp"
 
 #include <cstdio>
 #include <optional>
@@ -133,40 +128,30 @@ int table(TableOptions& o) {
 } // namespace
 
 void add_table(CLI::App& app, int& code) {
-    auto [sub, o] = add_command<TableOptions>(app, code, "table",
-                                              "a table of reference values from a recipe", table);
-    sub.add_option("recipe", o.recipe, "the recipe (TOML)");
-    sub.add_option("--out", o.out, "write to this file, whole or not at all");
-    sub.add_option("--format", o.format, "default: csv")->type_name("csv|json|md|tex");
-    sub.add_flag("--no-notes", o.no_notes, "leave out the facts and notes around the rows");
-    sub.add_flag("--questions", o.questions,
-                 "the questions of the recipe instead, for another program to answer");
-    sub.add_flag("--exact", o.exact,
-                 "inputs as the recipe gives them, such as 1/3 (default: decimals with 15 digits "
-                 "more than the values; of --questions: the nearest binary64)");
-    add_threads_option(sub, o.threads);
-    sub.add_option("--part", o.part,
-                   "K/N: every Nth row from the Kth only; nothing is done where --out is this part "
-                   "already");
-    sub.add_option("--merge", o.merge, "write the table of these parts, in any order")
-        ->type_name("PART...");
-    sub.add_flag("--check", o.check,
-                 "make the table anew and compare it with --out (default: the .csv next to the "
-                 "recipe); exit 1 where a digit differs");
-    sub.add_option("--every", o.every, "with --check: every Nth row only");
+    auto [sub, o] = add_command<TableOptions>(app, code, "table", table);
+    option(sub, "recipe", o.recipe);
+    option(sub, "--out", o.out);
+    option(sub, "--format", o.format);
+    option(sub, "--no-notes", o.no_notes);
+    option(sub, "--questions", o.questions);
+    option(sub, "--exact", o.exact);
+    option(sub, "--threads", o.threads);
+    option(sub, "--part", o.part);
+    option(sub, "--merge", o.merge);
+    option(sub, "--check", o.check);
+    option(sub, "--every", o.every);
 }
 
 // The older name of table --questions.
 void add_points(CLI::App& app, int& code) {
-    auto [sub, o] =
-        add_command<TableOptions>(app, code, "points", "as table --questions", [](TableOptions& p) {
-            p.questions = true;
-            return table(p);
-        });
-    sub.add_option("recipe", o.recipe, "the recipe (TOML)")->required();
-    sub.add_option("--out", o.out, "write to this file, whole or not at all");
-    sub.add_flag("--no-notes", o.no_notes, "leave out the facts and notes behind the rows");
-    sub.add_flag("--exact", o.exact, "numbers as the recipe gives them");
+    auto [sub, o] = add_command<TableOptions>(app, code, "points", [](TableOptions& p) {
+        p.questions = true;
+        return table(p);
+    });
+    option(sub, "recipe", o.recipe);
+    option(sub, "--out", o.out);
+    option(sub, "--no-notes", o.no_notes);
+    option(sub, "--exact", o.exact);
 }
 
 } // namespace edgeproof::cli

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/certificate/certificate.hpp"
 #include "edgeproof/cli/scene_command.hpp"
-#include "edgeproof/io/output_file.hpp"
-#include "edgeproof/precision/message.hpp"
-#include "edgeproof/report/report.hpp"
 
 #include <fmt/format.h>
 
@@ -120,7 +116,7 @@ int verify(VerifyOptions& o) {
     }
     const std::vector<std::string> differences = report::golden_differences(result, golden, o.only);
     for (const std::string& line : differences) {
-        std::printf("differs from %s: %s\n", golden.filename().string().c_str(), line.c_str());
+        std::printf("differs from the record: %s\n", line.c_str());
     }
     if (differences.empty()) {
         std::printf("as recorded in %s\n", golden.filename().string().c_str());
@@ -152,18 +148,14 @@ int check_ledger(const std::string& ledger, unsigned threads) {
 }
 
 void add_verify(CLI::App& app, int& code) {
-    auto [sub, o] = add_command<VerifyOptions>(
-        app, code, "verify", "verify a ledger of printed claims against the mechanics", verify);
-    sub.add_option("ledger", o.ledger, "the ledger (TOML)")->required();
-    sub.add_option("--digits", o.digits, "digits to verify to")->capture_default_str();
-    sub.add_option("--out,--out-dir", o.out,
-                   "folder for verdicts.json, .csv, .md, .tex, report.html and errata.tex");
-    sub.add_option("--only", o.only, "claims whose id matches, such as 'EQ2*'");
-    add_threads_option(sub, o.threads);
-    sub.add_flag("--record", o.record, "write the golden verdicts next to the ledger");
-    sub.add_flag("--strict", o.strict,
-                 "exit with 1 also where a claim does not hold: any verdict but proved, confirmed "
-                 "and definition");
+    auto [sub, o] = add_command<VerifyOptions>(app, code, "verify", verify);
+    option(sub, "ledger", o.ledger);
+    option(sub, "--digits", o.digits);
+    option(sub, "--out,--out-dir", o.out);
+    option(sub, "--only", o.only);
+    option(sub, "--threads", o.threads);
+    option(sub, "--record", o.record);
+    option(sub, "--strict", o.strict);
 }
 
 } // namespace edgeproof::cli

@@ -95,7 +95,7 @@ std::optional<Plot> plot_in(const audit::Sample& sample, const audit::Claim& cla
     }
     Plot plot;
     plot.id = "erratum-" + claim.id;
-    plot.columns = {"u_over_length", "printed", "corrected"};
+    plot.first_column = "u_over_length";
     const Real start = contact->reach(which.edge).midpoint() / 5;
     const auto size = [](const Ball& x) { return size_of(at_working_precision(x.midpoint())); };
     for (int j = 0; j < places; ++j) {
@@ -134,7 +134,7 @@ Plot residual_plot(const scene::Scene& scene, contact::Edge edge, const std::str
     plot.title = scene.title;
     plot.x = {"u from the " + edge_words(edge), true};
     plot.y = {"|p − first n terms|", true};
-    plot.columns = {"u"};
+    plot.first_column = "u";
     for (const Real& u : fit.u) {
         plot.rows.push_back({u});
     }

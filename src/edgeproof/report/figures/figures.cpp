@@ -17,12 +17,11 @@ std::optional<std::string> cell_text(const std::optional<Real>& value) {
 } // namespace
 
 std::vector<std::optional<Real>>& Plot::add_row(const Real& first) {
-    rows.emplace_back(columns.size()).front() = first;
+    rows.emplace_back(1 + curves.size()).front() = first;
     return rows.back();
 }
 
 void Plot::add_curve(const std::string& column, std::string curve_title, const Pen& pen) {
-    columns.push_back(column);
     curves.push_back({column, std::move(curve_title), pen});
     for (auto& row : rows) {
         row.emplace_back();
@@ -33,9 +32,9 @@ std::string to_csv(const Plot& plot) {
     std::string csv = "# " + printable(plot.title) + '\n';
     csv += "# " + printable(plot.description) + '\n';
     csv += "# program: " + program_line() + '\n';
-    for (std::size_t i = 0; i < plot.columns.size(); ++i) {
-        csv += i == 0 ? "" : ",";
-        add_csv_cell(csv, plot.columns[i]);
+    csv += plot.first_column;
+    for (const Curve& curve : plot.curves) {
+        add_csv_cell(csv += ',', curve.column);
     }
     csv += '\n';
     for (const auto& row : plot.rows) {

@@ -46,17 +46,17 @@ struct PlaneField {
     std::pair<double, double> contact; ///< its ends, drawn at the smallest y
 };
 
-/// One panel: a table, and the columns to be drawn.
+/// One panel: a table of x, with a column for each curve.
 struct Plot {
     std::string id;          ///< "fig2a": the name of its files
     std::string title;       ///< "a) wedge, m = 0"
     std::string description; ///< the picture in words, for readers who cannot see it
     Axis x;
     Axis y;
-    std::vector<std::string> columns;
-    /// A missing value means that the quantity is not defined (at a corner, for example).
+    std::string first_column = "x";
+    /// x and the curves; a missing value is not defined (at a corner, for example).
     std::vector<std::vector<std::optional<Real>>> rows;
-    std::vector<Curve> curves;
+    std::vector<Curve> curves = {};
     /// A horizontal line: its position and its name.
     std::optional<std::pair<std::string, std::string>> level = {};
     /// Drawn in place of the curves, with y downwards.

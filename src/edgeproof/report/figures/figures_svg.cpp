@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/figures/figures.hpp"
 
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/precision.hpp"
 #include "edgeproof/report/figures/svg_parts.hpp"
 #include "edgeproof/report/text/escape.hpp"
@@ -95,7 +94,7 @@ private:
                                 stroke({Pen::Colour::black, 3, {}, 1}));
         }
         for (std::size_t i = 0; i < plot_.curves.size(); ++i) {
-            text += curve(plot_.curves[i]);
+            text += curve(plot_.curves[i], i + 1);
         }
         return text + "</svg>\n" + legend();
     }
@@ -111,13 +110,6 @@ private:
             plot_.curves, [](const Curve& c) { return c.title.size() <= short_name; });
         return all_short && (!plot_.level || plot_.level->second.size() <= short_name) ? 2 : 1;
     }
-    [[nodiscard]] std::size_t index_of(const std::string& name) const {
-        const auto found = std::find(plot_.columns.begin(), plot_.columns.end(), name);
-        if (found == plot_.columns.end()) {
-            throw Error(fmt::format("figure {} has no column {}", plot_.id, name));
-        }
-        return static_cast<std::size_t>(found - plot_.columns.begin());
-    }
     [[nodiscard]] Real on_axis(const Real& y) const { return plot_.y.percent ? Real(100 * y) : y; }
     [[nodiscard]] std::vector<Real> column(std::size_t i) const {
         std::vector<Real> values;
@@ -130,8 +122,8 @@ private:
     }
     [[nodiscard]] std::vector<Real> heights() const {
         std::vector<Real> values;
-        for (const Curve& curve : plot_.curves) {
-            for (const Real& y : column(index_of(curve.column))) {
+        for (std::size_t i = 1; i <= plot_.curves.size(); ++i) {
+            for (const Real& y : column(i)) {
                 if (!plot_.y.logarithmic || y > 0) {
                     values.push_back(on_axis(y));
                 }
@@ -148,8 +140,7 @@ private:
     [[nodiscard]] double down(const Real& y) const {
         return pixels(Real(1 - y_.part(y)), drawing_height);
     }
-    [[nodiscard]] std::string curve(const Curve& curve) const {
-        const std::size_t column = index_of(curve.column);
+    [[nodiscard]] std::string curve(const Curve& curve, std::size_t column) const {
         std::string path;
         std::string points;
         char command = 'M';

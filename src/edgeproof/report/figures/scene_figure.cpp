@@ -147,7 +147,6 @@ private:
         const scene::Units units = scene_.units.value_or(scene::Units{});
         plot.x = {"x" + unit_label(units.length)};
         plot.y = {(scene_.shear ? "p, q" : "p") + unit_label(units.pressure)};
-        plot.columns = {"x"};
         plot.add_curve("p", "p, exact", {Pen::Colour::black, 1, {}, 2.5});
         if (scene_.shear) {
             plot.add_curve("q", "q, exact", {Pen::Colour::black, 3, {}, 1.5});
@@ -291,7 +290,7 @@ private:
                   true};
         plot.y = {
             .label = "relative error |1 - local/p| [%]", .logarithmic = true, .percent = true};
-        plot.columns = {"u"};
+        plot.first_column = "u";
         for (std::size_t i = 0; i < scene_.ask.terms.size(); ++i) {
             const std::size_t n = scene_.ask.terms[i];
             plot.add_curve("e" + std::to_string(n), in_terms(n), pen_of(i));

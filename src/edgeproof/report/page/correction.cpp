@@ -5,6 +5,7 @@
 #include "edgeproof/report/text/formula_tex.hpp"
 #include "edgeproof/report/text/percent.hpp"
 #include "edgeproof/report/text/tex_math.hpp"
+#include "edgeproof/report/verdicts/verdict_writers.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -14,7 +15,7 @@ namespace edgeproof::report {
 namespace {
 
 using audit::Claim;
-using audit::Evidence;
+using Json = nlohmann::ordered_json;
 using audit::PrintedSource;
 
 std::string family_of(const Claim& claim) { return claim.text_or("over", ""); }
@@ -32,22 +33,23 @@ struct Typeset {
                   : formula_tex(arrange != nullptr ? arrange(*e) : *e, source, family_of(claim));
     }
     /// The formula of evidence under a key, such as "eps^(3/2)".
-    [[nodiscard]] std::string part(const Evidence& c, std::string_view key,
+    [[nodiscard]] std::string part(const Json& c, const std::string& key,
                                    Arrange arrange = nullptr) const {
         return tex(text_in(c, key), arrange);
     }
     /// "$x = 1$, $y = 2$"
-    [[nodiscard]] std::string values(const Evidence& c) const {
+    [[nodiscard]] std::string values(const Json& c) const {
         std::string out;
-        for (const auto& [name, item] : part_of<Evidence>(c, "with")->entries()) {
-            out += (out.empty() ? "" : ", ") + math(tex(name) + " = " + tex(item.text()));
+        for (const auto& [name, value] : c.at("with").items()) {
+            out += (out.empty() ? "" : ", ") +
+                   math(tex(name) + " = " + tex(text_in(c.at("with"), name)));
         }
         return out;
     }
 };
 
 /// A number of the evidence that continues.
-std::string digits_in(const Evidence& c, std::string_view key) {
+std::string digits_in(const Json& c, const std::string& key) {
     return number_tex(text_in(c, key)) + "\\dots";
 }
 
@@ -77,14 +79,14 @@ std::string decimal_step(const std::string& decimal, const std::string& exact) {
     return digits == exact || decimal == exact ? "" : " = " + number_tex(decimal) + "\\dots";
 }
 
-std::string value_steps(const Evidence& clearest, const std::string& which, const Typeset& by) {
+std::string value_steps(const Json& clearest, const std::string& which, const Typeset& by) {
     const std::string exact = text_in(clearest, which + "_value");
     const std::string decimal = text_in(clearest, which + "_decimal");
     return by.part(clearest, which, which == "correct" ? arranged : nullptr) +
            (exact.empty() ? "" : " = " + by.tex(exact, gathered)) + decimal_step(decimal, exact);
 }
 
-std::vector<std::string> reach_steps(const Evidence& c, const Typeset& by) {
+std::vector<std::string> reach_steps(const Json& c, const Typeset& by) {
     const std::string p_local = "p_{\\mathrm{local}}";
     const std::string terms = text_in(c, "terms");
     return {"Take " + by.values(c) + ", and the distance " +
@@ -100,9 +102,9 @@ std::vector<std::string> reach_steps(const Evidence& c, const Typeset& by) {
 
 } // namespace
 
-std::string text_in(const Evidence& evidence, std::string_view key) {
-    const auto* text = part_of<std::string>(evidence, key);
-    return text == nullptr ? "" : *text;
+std::string text_in(const Json& evidence, const std::string& key) {
+    const auto text = evidence.find(key);
+    return text != evidence.end() && text->is_string() ? text->get<std::string>() : "";
 }
 
 std::string number_tex(const std::string& number) {
@@ -123,10 +125,9 @@ std::optional<Correction> correction_of(const audit::ClaimResult& result,
         return std::nullopt;
     }
     const Typeset by{*claim, source};
-    const auto* terms = part_of<std::vector<audit::EvidenceItem>>(outcome->evidence, "terms");
-    if (outcome->evidence.find("derived_instead") != nullptr && terms != nullptr) {
-        for (const audit::EvidenceItem& item : *terms) {
-            const auto& term = std::get<Evidence>(item.value());
+    const Json evidence = evidence_json(outcome->evidence);
+    if (evidence.contains("derived_instead")) {
+        for (const Json& term : evidence.value("terms", Json::array())) {
             if (!text_in(term, "printed").empty()) {
                 return Correction{
                     "the coefficient of " + math(by.part(term, "power")) +
@@ -174,20 +175,20 @@ std::string correction_in_words(const audit::ClaimResult& result, const PrintedS
 
 std::vector<std::string> counterexample_steps(const audit::ClaimResult& result,
                                               const PrintedSource& source) {
-    const auto* c = part_of<Evidence>(result.outcome.evidence, "clearest");
-    if (c == nullptr || part_of<Evidence>(*c, "with") == nullptr) {
+    const Json c = evidence_json(result.outcome.evidence).value("clearest", Json::object());
+    if (!c.contains("with")) {
         return {};
     }
     const Typeset by{*spoken_of(result).first, source};
-    if (c->find("distance") != nullptr) {
-        return reach_steps(*c, by);
+    if (c.contains("distance")) {
+        return reach_steps(c, by);
     }
-    return {"Take " + by.values(*c) + "." +
-                (text_in(*c, "coefficient_of").empty()
+    return {"Take " + by.values(c) + "." +
+                (text_in(c, "coefficient_of").empty()
                      ? ""
-                     : " The coefficient of " + math(by.part(*c, "coefficient_of")) + ":"),
-            "as printed, " + math(value_steps(*c, "printed", by)) + ";",
-            "correctly, " + math(value_steps(*c, "correct", by)) + "."};
+                     : " The coefficient of " + math(by.part(c, "coefficient_of")) + ":"),
+            "as printed, " + math(value_steps(c, "printed", by)) + ";",
+            "correctly, " + math(value_steps(c, "correct", by)) + "."};
 }
 
 std::string note_tex(const std::string& note, const Claim& claim, const PrintedSource& source) {

@@ -3,6 +3,7 @@
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 #include "edgeproof/report/text/tex_math.hpp"
+#include "edgeproof/report/verdicts/verdict_writers.hpp"
 
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/trim.hpp>
@@ -16,6 +17,7 @@
 namespace edgeproof::report {
 namespace {
 
+using Json = nlohmann::ordered_json;
 using ById = std::map<std::string, const audit::ClaimResult*, std::less<>>;
 
 bool of_sentence(const audit::Claim& claim) { return is_sentence(claim.printed); }
@@ -51,13 +53,11 @@ Weight weight_of(const audit::ClaimResult& result, const ById& all) {
 
 std::vector<LaterWords> later_results_of(const audit::ClaimResult& result) {
     std::vector<LaterWords> all;
-    const auto* list =
-        part_of<std::vector<audit::EvidenceItem>>(result.outcome.evidence, "later_results");
-    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
-        const auto& one = std::get<audit::Evidence>((*list)[i].value());
-        if (const bool* as_printed = part_of<bool>(one, "as_printed")) {
+    for (const auto& one :
+         evidence_json(result.outcome.evidence).value("later_results", Json::array())) {
+        if (one.contains("as_printed")) {
             all.push_back({text_in(one, "claim"), text_in(one, "what"), text_in(one, "comes_to"),
-                           *as_printed});
+                           one["as_printed"].get<bool>()});
         }
     }
     return all;

@@ -2,22 +2,17 @@
 #pragma once
 #include "edgeproof/audit/run.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace edgeproof::report {
 
-/// Returns the part of evidence under a key; null if there is none of this type.
-template <class T>
-[[nodiscard]] const T* part_of(const audit::Evidence& evidence, std::string_view key) {
-    const audit::EvidenceItem* item = evidence.find(key);
-    return item == nullptr ? nullptr : std::get_if<T>(&item->value());
-}
-/// Returns a text of evidence; empty if there is none.
-[[nodiscard]] std::string text_in(const audit::Evidence& evidence, std::string_view key);
+/// Returns a text of evidence (evidence_json); empty if there is none.
+[[nodiscard]] std::string text_in(const nlohmann::ordered_json& evidence, const std::string& key);
 
 /// A correction in the notation of the source, as TeX.
 struct Correction {

@@ -13,9 +13,8 @@ namespace edgeproof::report {
 namespace {
 
 using audit::Claim;
-using audit::Evidence;
-using audit::EvidenceItem;
 using audit::PrintedSource;
+using Json = nlohmann::ordered_json;
 
 bool shown_elsewhere(std::string_view key) {
     static const std::set<std::string_view> keys{"clearest", "later_results", "edit",
@@ -80,66 +79,51 @@ std::string key_words(std::string_view key) {
     return escape_html(text);
 }
 
-std::string item_html(const EvidenceItem& item, const Claim& claim, const PrintedSource& source);
+std::string item_html(const Json& item, const Claim& claim, const PrintedSource& source);
 
 /// A list of records with the same keys becomes one table with a column for each key.
-std::string rows_html(const std::vector<EvidenceItem>& list, const Claim& claim,
-                      const PrintedSource& source) {
-    std::vector<std::string> keys;
-    for (const EvidenceItem& item : list) {
-        for (const auto& [key, part] : std::get<Evidence>(item.value()).entries()) {
-            if (std::ranges::find(keys, key) == keys.end()) {
-                keys.push_back(key);
-            }
-        }
+std::string rows_html(const Json& list, const Claim& claim, const PrintedSource& source) {
+    Json keys = Json::object(); // in the order in which they occur
+    for (const Json& row : list) {
+        keys.update(row);
     }
     std::string out = "<table class=\"columns\"><thead><tr>";
-    for (const std::string& key : keys) {
+    for (const auto& [key, any] : keys.items()) {
         out += "<th scope=\"col\">" + key_words(key) + "</th>";
     }
     out += "</tr></thead><tbody>";
-    for (const EvidenceItem& item : list) {
-        const auto& row = std::get<Evidence>(item.value());
+    for (const Json& row : list) {
         out += "<tr>";
-        for (const std::string& key : keys) {
-            const EvidenceItem* cell = row.find(key);
-            out += "<td>" + (cell == nullptr ? "" : item_html(*cell, claim, source)) + "</td>";
+        for (const auto& [key, any] : keys.items()) {
+            out += "<td>" + (row.contains(key) ? item_html(row[key], claim, source) : "") + "</td>";
         }
         out += "</tr>";
     }
     return out + "</tbody></table>";
 }
 
-std::string item_html(const EvidenceItem& item, const Claim& claim, const PrintedSource& source) {
-    struct Visitor {
-        const Claim& claim;
-        const PrintedSource& source;
-        std::string operator()(const std::string& text) const {
-            return text_html(text, claim, source);
-        }
-        std::string operator()(long count) const { return std::to_string(count); }
-        std::string operator()(bool yes) const { return yes ? "yes" : "no"; }
-        std::string operator()(const std::vector<EvidenceItem>& list) const {
-            if (list.empty()) {
-                return "none";
-            }
-            const bool tables = std::ranges::all_of(list, [](const EvidenceItem& part) {
-                return std::holds_alternative<Evidence>(part.value());
-            });
-            if (tables) {
-                return rows_html(list, claim, source);
-            }
-            std::string out;
-            for (const EvidenceItem& part : list) {
-                out += (out.empty() ? "" : "; ") + item_html(part, claim, source);
-            }
-            return out;
-        }
-        std::string operator()(const Evidence& nested) const {
-            return evidence_html(nested, claim, source);
-        }
-    };
-    return std::visit(Visitor{claim, source}, item.value());
+std::string item_html(const Json& item, const Claim& claim, const PrintedSource& source) {
+    if (item.is_string()) {
+        return text_html(item.get<std::string>(), claim, source);
+    }
+    if (item.is_boolean()) {
+        return item.get<bool>() ? "yes" : "no";
+    }
+    if (item.is_object()) {
+        return evidence_html(item, claim, source);
+    }
+    if (!item.is_array()) {
+        return item.dump();
+    }
+    if (!item.empty() &&
+        std::ranges::all_of(item, [](const Json& part) { return part.is_object(); })) {
+        return rows_html(item, claim, source);
+    }
+    std::string out;
+    for (const Json& part : item) {
+        out += (out.empty() ? "" : "; ") + item_html(part, claim, source);
+    }
+    return item.empty() ? "none" : out;
 }
 
 } // namespace
@@ -148,10 +132,9 @@ std::string note_html(const std::string& note, const Claim& claim, const Printed
     return sentence_html(note_tex(note, claim, source), source);
 }
 
-std::string evidence_html(const Evidence& evidence, const Claim& claim,
-                          const PrintedSource& source) {
+std::string evidence_html(const Json& evidence, const Claim& claim, const PrintedSource& source) {
     std::string out = "<table class=\"evidence stack\"><tbody>\n";
-    for (const auto& [key, item] : evidence.entries()) {
+    for (const auto& [key, item] : evidence.items()) {
         if (shown_elsewhere(key)) {
             continue;
         }

@@ -6,7 +6,7 @@
 #include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/report/figures/audit_figures.hpp"
-#include "edgeproof/report/text/escape.hpp"
+#include "edgeproof/report/text/filled_template.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 #include "edgeproof/report/verdicts/verdict_writers.hpp"
 
@@ -20,10 +20,13 @@
 #include <mutex>
 #include <optional>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 namespace edgeproof::report {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// In the order of audit::all_verdicts.
 constexpr std::array<const char*, audit::all_verdicts.size()> meanings{
@@ -34,22 +37,6 @@ constexpr std::array<const char*, audit::all_verdicts.size()> meanings{
     "cannot be evaluated as printed",
     "the enclosures do not decide",
     "there is nothing to check"};
-
-std::string summary(const audit::AuditResult& result) {
-    std::string out = "<table class=\"counts\"><thead><tr><th scope=\"col\">Verdict</th>"
-                      "<th scope=\"col\" class=\"number\">Claims</th>"
-                      "<th scope=\"col\">Means</th></tr></thead><tbody>\n";
-    const auto counts = count_verdicts(result);
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        const audit::Verdict verdict = audit::all_verdicts[i];
-        out += fmt::format("<tr><th scope=\"row\"><a href=\"#verdict={}\">{}</a></th>"
-                           "<td class=\"number\">{}</td><td>{}</td></tr>\n",
-                           name_of(verdict), verdict_mark(verdict), counts[i], meanings[i]);
-    }
-    return out + "<tr><th scope=\"row\">all</th><td class=\"number\">" +
-           std::to_string(result.claims.size()) + "</td><td>checked to " +
-           std::to_string(result.digits) + " digits</td></tr>\n</tbody></table>\n";
-}
 
 /// Explains why the number of errors and the number of refuted claims differ.
 std::string errors_and_claims(const std::vector<Erratum>& errata) {
@@ -64,156 +51,96 @@ std::string errors_and_claims(const std::vector<Erratum>& errata) {
                        claims);
 }
 
-std::string fact(const char* name, const std::string& value) {
-    return value.empty() ? "" : std::string("<dt>") + name + "</dt><dd>" + value + "</dd>\n";
-}
-
-std::string facts(const audit::AuditResult& result, const PageHead& head) {
-    const audit::PrintedSource& source = head.source;
-    std::string paper = escape_html(result.source);
-    const auto link = [&](const char* kind, const char* server, const std::string& id) {
-        paper += id.empty() ? ""
-                            : fmt::format("; <a href=\"https://{}/{}\">{}:{}</a>", server,
-                                          escape_html(id), kind, escape_html(id));
-    };
-    link("doi", "doi.org", source.doi);
-    link("arXiv", "arxiv.org/abs", source.arxiv);
-    return "<dl class=\"facts\">\n" + fact("Paper", paper) +
-           fact("Version read", escape_html(source.version)) +
-           fact("Ledger",
-                escape_html(head.ledger_file) +
-                    (head.ledger_sha256.empty() ? ""
-                                                : " <span class=\"soft\">SHA-256</span> <code>" +
-                                                      head.ledger_sha256 + "</code>")) +
-           fact("Program", "Edgeproof " + escape_html(program_version) +
-                               (program_commit.empty()
-                                    ? ""
-                                    : ", commit <code>" + escape_html(program_commit) + "</code>") +
-                               " (" + escape_html(libraries_text()) + ")") +
-           fact("Made", escape_html(head.date)) +
-           fact("Command",
-                head.command.empty() ? "" : "<code>" + escape_html(head.command) + "</code>") +
-           fact("To cite", "Edgeproof " + escape_html(program_version) + ", report on: " +
-                               escape_html(result.source) + ". " + escape_html(head.date) +
-                               ". CITATION.cff of the program has the entry.") +
-           "</dl>\n";
-}
-
-std::string errata_list(const std::vector<Erratum>& errata, const audit::AuditResult& result,
-                        const PageFigures& figures, const PageHead& head) {
-    std::string out;
-    for (const Erratum& erratum : errata) {
-        out += erratum_html(erratum, result, head, figures);
-    }
-    return out.empty() ? "<p>No claim is refuted.</p>\n" : out;
-}
-
-std::string doubtful(const audit::AuditResult& result, const PageHead& head) {
-    std::string rows;
-    for (const audit::ClaimResult& r : result.claims) {
-        if (!holds(r.outcome.verdict) && r.outcome.verdict != audit::Verdict::refuted) {
-            rows += "<tr><th scope=\"row\"><a href=\"#" + escape_html(r.claim.id) + "\">" +
-                    escape_html(place_words(r.claim, head.source)) + "</a></th><td>" +
-                    verdict_mark(r.outcome.verdict) + "</td><td><div class=\"said\">" +
-                    printed_html(r.claim, head.source) + "</div></td><td>" +
-                    note_html(r.outcome.note, r.claim, head.source) + "</td></tr>\n";
-        }
-    }
-    if (rows.empty()) {
-        return "<p>None.</p>\n";
-    }
-    return "<table class=\"stack doubtful\"><thead><tr><th scope=\"col\">Place</th><th "
-           "scope=\"col\">Verdict</th><th scope=\"col\">Printed</th><th scope=\"col\">Found</th>"
-           "</tr></thead><tbody>\n" +
-           rows + "</tbody></table>\n";
-}
-
-std::string figure_html(const DrawnFigure& figure) {
-    std::string out = "<figure id=\"" + escape_html(figure.id) + "\">\n<h3>" +
-                      escape_html(figure.title) + "</h3>\n<div class=\"panels\">\n";
-    for (const DrawnFigure::Panel& panel : figure.panels) {
-        const std::string id = escape_html(panel.id);
-        out +=
-            "<div class=\"panel\">" +
-            (panel.svg.empty() ? "<p>" + escape_html(panel.title) + "</p>" : panel.svg) +
-            "<p class=\"data\"><a href=\"figures/" + id +
-            ".csv\">Data (CSV)</a><span class=\"soft\"> in the folder figures</span></p></div>\n";
-    }
-    out += "</div>\n<figcaption>" + escape_html(figure.caption) + "</figcaption>\n";
-    if (!figure.problem.empty()) {
-        out += "<p class=\"missing\">" + escape_html(figure.problem) + "</p>\n";
-    }
-    return out + "</figure>\n";
-}
-
-/// The figures of the paper, or of residuals.
-std::string own_figures_html(const std::vector<DrawnFigure>& figures) {
-    const std::string out = figures_html(figures);
-    return out.empty() ? "<p>No figures are defined for this ledger.</p>\n" : out;
-}
-
 } // namespace
 
-std::string figures_html(const std::vector<DrawnFigure>& figures) {
-    std::string out;
-    for (const DrawnFigure& figure : figures) {
-        out += figure_html(figure);
-    }
-    return out;
+std::string figures_html(const Json& figures) {
+    return filled(report_template::figures_html, {{"figures", figures}});
 }
 
-DrawnFigure::Panel drawn_panel(const Plot& plot, const std::string& svg,
-                               const std::filesystem::path& folder) {
+Json drawn_panel(const Plot& plot, const std::string& svg, const std::filesystem::path& folder) {
     write_plot_files(plot, svg, folder);
-    return {plot.id, plot.title, svg.empty() ? "" : inline_svg(svg, plot)};
+    return {
+        {"id", plot.id}, {"title", plot.title}, {"svg", svg.empty() ? "" : inline_svg(svg, plot)}};
 }
 
 std::string html_page(const audit::AuditResult& result, const PageFigures& figures,
                       const PageHead& head) {
-    std::string claims;
-    for (const audit::ClaimResult& r : result.claims) {
-        claims += claim_html(r, head);
+    const audit::PrintedSource& source = head.source;
+    Json links = Json::array();
+    for (const auto& [kind, server, id] :
+         {std::tuple{"doi", "doi.org", &source.doi}, {"arXiv", "arxiv.org/abs", &source.arxiv}}) {
+        if (!id->empty()) {
+            links.push_back({{"kind", kind}, {"server", server}, {"id", *id}});
+        }
     }
-    const std::vector<Erratum> errata = errata_of(result, head.source);
-    return fill_template(
-        report_template::page_html,
-        {{"title", "Report: " + escape_html(result.ledger)},
-         {"source", escape_html(result.source)},
-         {"css", std::string(report_template::page_css)},
-         {"js", std::string(report_template::page_js)},
-         {"facts", facts(result, head)},
-         {"count", escape_html(errata_count(errata) + errors_and_claims(errata))},
-         {"digits", std::to_string(result.digits)},
-         {"summary", summary(result)},
-         {"errata", errata_list(errata, result, figures, head)},
-         {"doubtful", doubtful(result, head)},
-         {"figures", own_figures_html(figures.printed)},
-         {"residuals", own_figures_html(figures.residuals)},
-         {"claims", claims},
-         {"footer", "Made by edgeproof verify at " + std::to_string(result.digits) +
-                        " digits: " + escape_html(program_line()) +
-                        ". The page needs no network; the data of the figures are in the folder "
-                        "figures next to it."}});
+    Json counts = Json::array();
+    const auto numbers = count_verdicts(result);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        counts.push_back({{"verdict", name_of(audit::all_verdicts.at(i))},
+                          {"count", numbers.at(i)},
+                          {"means", meanings.at(i)}});
+    }
+    const std::vector<Erratum> errata = errata_of(result, source);
+    Json errata_list = Json::array();
+    for (const Erratum& erratum : errata) {
+        errata_list.push_back(erratum_values(erratum, result, head, figures));
+    }
+    Json claims = Json::array();
+    Json doubtful = Json::array();
+    for (const audit::ClaimResult& r : result.claims) {
+        claims.push_back(claim_values(r, head));
+        if (!holds(r.outcome.verdict) && r.outcome.verdict != audit::Verdict::refuted) {
+            doubtful.push_back(claims.back());
+        }
+    }
+    return filled(report_template::page_html,
+                  {{"ledger", result.ledger},
+                   {"source", result.source},
+                   {"css", report_template::page_css},
+                   {"js", report_template::page_js},
+                   {"links", links},
+                   {"version", source.version},
+                   {"ledger_file", head.ledger_file},
+                   {"ledger_sha256", head.ledger_sha256},
+                   {"program_version", program_version},
+                   {"commit", program_commit},
+                   {"libraries", libraries_text()},
+                   {"date", head.date},
+                   {"command", head.command},
+                   {"count", errata_count(errata) + errors_and_claims(errata)},
+                   {"digits", result.digits},
+                   {"counts", counts},
+                   {"number", result.claims.size()},
+                   {"errata", errata_list},
+                   {"doubtful", doubtful.empty() ? Json() : Json{{"rows", doubtful}}},
+                   {"figures", figures_html(figures.printed)},
+                   {"residuals", figures_html(figures.residuals)},
+                   {"claims", claims},
+                   {"program", program_line()}});
 }
 
 namespace {
 
 /// Draws the figures in `threads` threads, and writes their files to the folder.
-std::vector<DrawnFigure> drawn(const std::vector<FigureRecipe>& recipes,
-                               const std::filesystem::path& folder, int threads) {
+Json drawn(const std::vector<FigureRecipe>& recipes, const std::filesystem::path& folder,
+           int threads) {
     struct Job {
         std::size_t figure;
         const std::function<std::optional<Plot>()>* make;
         std::optional<Plot> plot = {};
         std::string svg = {};
     };
-    std::vector<DrawnFigure> figures;
+    Json figures = Json::array();
     std::vector<Job> jobs;
     for (const FigureRecipe& recipe : recipes) {
         for (const auto& make : recipe.plots) {
             jobs.push_back({figures.size(), &make});
         }
-        figures.push_back({recipe.id, recipe.title, recipe.caption, {}, {}});
+        figures.push_back({{"id", recipe.id},
+                           {"title", recipe.title},
+                           {"caption", recipe.caption},
+                           {"panels", Json::array()},
+                           {"problem", ""}});
     }
     std::mutex problems;
     parallel::parallel_for(
@@ -225,12 +152,12 @@ std::vector<DrawnFigure> drawn(const std::vector<FigureRecipe>& recipes,
                 job.svg = job.plot ? draw_svg({*job.plot}) : "";
             } catch (const std::exception& e) { // an error in one figure does not affect the others
                 const std::lock_guard lock(problems);
-                figures[job.figure].problem = e.what();
+                figures[job.figure]["problem"] = e.what();
             }
         });
     for (const Job& job : jobs) {
         if (job.plot) {
-            figures[job.figure].panels.push_back(drawn_panel(*job.plot, job.svg, folder));
+            figures[job.figure]["panels"].push_back(drawn_panel(*job.plot, job.svg, folder));
         }
     }
     return figures;

@@ -4,6 +4,8 @@
 #include "edgeproof/report/figures/audit_figures.hpp"
 #include "edgeproof/report/page/errata.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -15,30 +17,20 @@
 
 namespace edgeproof::report {
 
-/// A figure of the page, drawn or not.
-struct DrawnFigure {
-    struct Panel {
-        std::string id;
-        std::string title;
-        std::string svg; ///< to be included in the page; empty: it was not drawn
-    };
-    std::string id;
-    std::string title;
-    std::string caption;
-    std::vector<Panel> panels;
-    std::string problem; ///< the error, if there was one
-};
+/// Writes the files of a plot to the folder (write_plot_files), and returns its panel: {"id",
+/// "title", "svg"}, where an empty svg was not drawn.
+[[nodiscard]] nlohmann::ordered_json drawn_panel(const Plot& plot, const std::string& svg,
+                                                 const std::filesystem::path& folder);
+/// Returns figures, {"id", "title", "caption", "panels", "problem"}, as HTML, with links to their
+/// data in the folder figures.
+[[nodiscard]] std::string figures_html(const nlohmann::ordered_json& figures);
 
-/// Writes the files of a plot to the folder (write_plot_files), and returns its panel.
-[[nodiscard]] DrawnFigure::Panel drawn_panel(const Plot& plot, const std::string& svg,
-                                             const std::filesystem::path& folder);
-/// Returns the figures as HTML, with links to their data in the folder figures.
-[[nodiscard]] std::string figures_html(const std::vector<DrawnFigure>& figures);
-
+/// Lists of figures.
 struct PageFigures {
-    std::vector<DrawnFigure> printed;
-    std::vector<DrawnFigure> residuals;
-    std::vector<DrawnFigure> errata; ///< with the claims' ids, and one panel or none
+    nlohmann::ordered_json printed = nlohmann::ordered_json::array();
+    nlohmann::ordered_json residuals = nlohmann::ordered_json::array();
+    /// With the claims' ids, and one panel or none.
+    nlohmann::ordered_json errata = nlohmann::ordered_json::array();
 };
 
 /// A claim's theorems for Coq, as shown on the page.
@@ -76,25 +68,27 @@ void write_html_report(const audit::AuditResult& result, const audit::Ledger& le
                        const FiguresOfSource& figures, const std::filesystem::path& folder,
                        int threads = 0, const std::string& command = "");
 
-// Parts of the page.
+// Parts of the page, as values of its template (share/edgeproof/report/page.html).
 
-/// Returns a `<span>` with the name of a verdict.
-[[nodiscard]] std::string verdict_mark(audit::Verdict verdict, const std::string& text = "");
 /// Returns the printed text of a claim, typeset within a line.
 [[nodiscard]] std::string printed_html(const audit::Claim& claim,
                                        const audit::PrintedSource& source);
 
-/// Returns an entry of the errata list: the printed and the corrected formula, the clearest
-/// counterexample, the later results. Its id is "erratum-ID" of its first claim.
-[[nodiscard]] std::string erratum_html(const Erratum& erratum, const audit::AuditResult& result,
-                                       const PageHead& head, const PageFigures& figures);
-/// Returns a claim with its evidence, folded; its id is the claim's.
-[[nodiscard]] std::string claim_html(const audit::ClaimResult& result, const PageHead& head);
+/// Returns the values of an entry of the errata list: the printed and the corrected formula, the
+/// clearest counterexample, the later results. Its id is "erratum-ID" of its first claim.
+[[nodiscard]] nlohmann::ordered_json erratum_values(const Erratum& erratum,
+                                                    const audit::AuditResult& result,
+                                                    const PageHead& head,
+                                                    const PageFigures& figures);
+/// Returns the values of a claim with its evidence; its id is the claim's.
+[[nodiscard]] nlohmann::ordered_json claim_values(const audit::ClaimResult& result,
+                                                  const PageHead& head);
 
 /// Returns evidence as small tables: numbers are rounded (verdicts.json has all digits), formulas
 /// typeset. Parts that the page shows elsewhere (TeX, the clearest counterexample, later results)
 /// are left out.
-[[nodiscard]] std::string evidence_html(const audit::Evidence& evidence, const audit::Claim& claim,
+[[nodiscard]] std::string evidence_html(const nlohmann::ordered_json& evidence,
+                                        const audit::Claim& claim,
                                         const audit::PrintedSource& source);
 
 /// Returns a text of the program as HTML, with typeset formulas.

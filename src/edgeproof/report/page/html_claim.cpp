@@ -3,10 +3,10 @@
 #include "edgeproof/report/page/html.hpp"
 
 #include "edgeproof/report/text/escape.hpp"
+#include "edgeproof/report/text/filled_template.hpp"
 #include "edgeproof/report/text/formula_tex.hpp"
 #include "edgeproof/report/text/tex_math.hpp"
-
-#include <fmt/format.h>
+#include "edgeproof/report/verdicts/verdict_writers.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -15,13 +15,7 @@ namespace edgeproof::report {
 namespace {
 
 using audit::PrintedSource;
-
-/// A wide element that scrolls within the page, also by keyboard.
-std::string scroll(const std::string& label, const std::string& content) {
-    return fmt::format(
-        "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"{}\">{}</div>",
-        escape_html(label), content);
-}
+using Json = nlohmann::ordered_json;
 
 const audit::ClaimResult* claim_named(const audit::AuditResult& result, const std::string& id) {
     const auto it = std::ranges::find(result.claims, id, [](const auto& r) { return r.claim.id; });
@@ -39,30 +33,21 @@ std::string sides_html(const Correction& correction, const audit::Claim& claim,
     MathNode printed = math_of_tex(with_left(correction.left, correction.printed), source);
     MathNode corrected = math_of_tex(with_left(correction.left, correction.corrected), source);
     mark_changes(printed, corrected);
-    const auto side = [&](const char* kind, const char* title, const MathNode& formula) {
-        return fmt::format("<div class=\"side {}\"><h4>{}</h4>{}</div>", kind, title,
-                           scroll(kind, block_math(formula, kind + (", " + claim.id))));
-    };
-    return (correction.what.empty()
-                ? ""
-                : "<p class=\"what\">In " + sentence_html(correction.what, source) + ":</p>\n") +
-           "<div class=\"sides\">" + side("printed", "Printed", printed) +
-           side("corrected", "Corrected", corrected) +
-           fmt::format("</div>\n<div class=\"copy\"><code>{}</code><button type=\"button\" "
-                       "class=\"copy-button\" hidden>Copy LaTeX<span class=\"away\"> of {}</span>"
-                       "</button></div>\n",
-                       escape_html(with_left(correction.left, correction.corrected)),
-                       escape_html(claim.id));
+    return filled(report_template::sides_html,
+                  {{"what", sentence_html(correction.what, source)},
+                   {"printed", block_math(printed, "printed, " + claim.id)},
+                   {"corrected", block_math(corrected, "corrected, " + claim.id)},
+                   {"tex", with_left(correction.left, correction.corrected)},
+                   {"id", claim.id}});
 }
 
-std::string steps_html(const audit::ClaimResult& result, const PrintedSource& source) {
-    std::string out;
+/// The steps of the clearest counterexample; null if there are none.
+Json example_values(const audit::ClaimResult& result, const PrintedSource& source) {
+    Json steps = Json::array();
     for (const std::string& step : counterexample_steps(result, source)) {
-        out += "<li>" + sentence_html(step, source) + "</li>\n";
+        steps.push_back(sentence_html(step, source));
     }
-    return out.empty()
-               ? out
-               : "<div class=\"example\"><h4>To check by hand</h4>\n<ol>\n" + out + "</ol></div>\n";
+    return steps.empty() ? Json() : Json{{"steps", steps}};
 }
 
 /// Words for the result of a computation with a wrong line, behind the verdict; a bare number gets
@@ -81,9 +66,10 @@ std::string result_html(const std::string& comes_to, const PrintedSource& source
            ")";
 }
 
-std::string later_html(const Erratum& erratum, const audit::AuditResult& result,
-                       const PrintedSource& source) {
-    std::string out;
+/// The results that were computed with the line; null if there are none.
+Json later_values(const Erratum& erratum, const audit::AuditResult& result,
+                  const PrintedSource& source) {
+    Json results = Json::array();
     for (const audit::ClaimResult* part : erratum.parts) {
         for (const LaterWords& later : later_results_of(*part)) {
             const audit::ClaimResult* const claim = claim_named(result, later.claim);
@@ -106,17 +92,15 @@ std::string later_html(const Erratum& erratum, const audit::AuditResult& result,
                     what.replace(at, row.size(), "Eq. (" + number + ")");
                 }
             }
-            out += fmt::format(
-                "<li><a href=\"#{}\">{}</a>, {}: {}", escape_html(later.claim),
-                escape_html(claim == nullptr ? later.claim : place_words(claim->claim, source)),
-                what, verdict);
-            out += result_html(later.comes_to, source) + ".</li>\n";
+            results.push_back(
+                {{"claim", later.claim},
+                 {"place", claim == nullptr ? later.claim : place_words(claim->claim, source)},
+                 {"what", what},
+                 {"verdict", verdict},
+                 {"value", result_html(later.comes_to, source)}});
         }
     }
-    return out.empty() ? ""
-                       : "<div class=\"rests\"><h4>What rests on it, computed with the line as "
-                         "printed</h4>\n<ul>\n" +
-                             out + "</ul></div>\n";
+    return results.empty() ? Json() : Json{{"results", results}};
 }
 
 const char* weight_words(Weight weight) {
@@ -158,29 +142,7 @@ std::string where_html(const audit::Claim& claim, const PageHead& head) {
     return out;
 }
 
-/// The statements that Coq proved, in the page itself: a page that is mailed has no other files.
-std::string theorem_html(const audit::Claim& claim, const PageHead& head) {
-    const auto it = head.theorems.find(claim.id);
-    if (it == head.theorems.end()) {
-        return "";
-    }
-    const PageTheorem& theorem = it->second;
-    return fmt::format(
-        "<details class=\"theorem\" id=\"theorem-{}\"><summary>Theorem for "
-        "Coq</summary>\n<p class=\"soft\">The statements of the file "
-        "<code>{}</code> (SHA-256 <code>{}</code>), without their proofs, which are "
-        "in the file. The predicates are defined in the folder "
-        "<code>verify/certificates</code> of the program.</p>\n{}</details>\n",
-        escape_html(claim.id), escape_html(theorem.path), theorem.sha256,
-        scroll("theorem for " + claim.id, "<pre>" + escape_html(theorem.statements) + "</pre>"));
-}
-
 } // namespace
-
-std::string verdict_mark(audit::Verdict verdict, const std::string& text) {
-    const std::string name(name_of(verdict));
-    return "<span class=\"verdict " + name + "\">" + (text.empty() ? name : text) + "</span>";
-}
 
 std::string printed_html(const audit::Claim& claim, const PrintedSource& source) {
     if (claim.printed.empty()) {
@@ -194,100 +156,76 @@ std::string printed_html(const audit::Claim& claim, const PrintedSource& source)
                                       : inline_math(math_of_tex(claim.printed, source));
 }
 
-std::string erratum_html(const Erratum& erratum, const audit::AuditResult& result,
-                         const PageHead& head, const PageFigures& figures) {
-    const audit::ClaimResult& first = *erratum.parts.front();
-    const std::string id = escape_html(first.claim.id);
-    const DrawnFigure::Panel* plot = nullptr;
+Json erratum_values(const Erratum& erratum, const audit::AuditResult& result, const PageHead& head,
+                    const PageFigures& figures) {
+    const audit::Claim& first = erratum.parts.front()->claim;
+    const bool sentence = is_sentence(first.printed);
+    Json claims = Json::array();
+    Json plot;
     for (const audit::ClaimResult* part : erratum.parts) {
-        const auto drawn = std::ranges::find(figures.errata, part->claim.id, &DrawnFigure::id);
-        if (plot == nullptr && drawn != figures.errata.end() && !drawn->panels.empty()) {
-            plot = &drawn->panels.front();
+        claims.push_back(part->claim.id);
+        for (const Json& drawn : figures.errata) {
+            if (plot.is_null() && drawn["id"] == part->claim.id && !drawn["panels"].empty()) {
+                plot = drawn["panels"].front();
+            }
         }
     }
-    std::string out = fmt::format(
-        "<article class=\"erratum\" id=\"erratum-{0}\" aria-labelledby=\"erratum-{0}-heading\">\n"
-        "<h3 id=\"erratum-{0}-heading\">{1} {2} <span class=\"weight\">{3}</span></h3>\n"
-        "<p class=\"where\">{4}{5}evidence:",
-        id, escape_html(place_words(first.claim, head.source)), verdict_mark(first.outcome.verdict),
-        weight_words(erratum.weight), where_html(first.claim, head),
-        first.claim.lines.first == 0 ? "" : " · ");
+    Json parts = Json::array();
     for (const audit::ClaimResult* part : erratum.parts) {
-        out += fmt::format(" <a href=\"#{0}\">{0}</a>", escape_html(part->claim.id));
+        const auto correction = correction_of(*part, head.source);
+        const bool other = part != erratum.parts.front();
+        const bool repeats = !sentence && other && !plot.is_null();
+        parts.push_back(
+            {{"anchor", other ? part->claim.id : ""},
+             {"correction", correction ? sides_html(*correction, part->claim, head.source) : ""},
+             {"found", correction
+                           ? ""
+                           : sentence_html(correction_in_words(*part, head.source), head.source)},
+             {"example", repeats ? Json() : example_values(*part, head.source)}});
     }
-    out += "</p>\n";
-    const bool sentence = is_sentence(first.claim.printed);
-    if (sentence) {
-        out += "<blockquote><p>" + sentence_html(first.claim.printed, head.source) +
-               "</p></blockquote>\n";
-    }
-    for (const audit::ClaimResult* part : erratum.parts) {
-        if (part != &first) {
-            out += "<span class=\"anchor\" id=\"erratum-" + escape_html(part->claim.id) +
-                   "\"></span>\n";
-        }
-        if (const auto correction = correction_of(*part, head.source)) {
-            out += sides_html(*correction, part->claim, head.source);
-        } else {
-            out += "<p class=\"instead\"><strong>Found:</strong> " +
-                   sentence_html(correction_in_words(*part, head.source), head.source) + "</p>\n";
-        }
-        const bool repeats = !sentence && part != &first && plot != nullptr;
-        out += repeats ? "" : steps_html(*part, head.source);
-    }
-    out += later_html(erratum, result, head.source);
-    if (plot != nullptr) {
-        out += "<figure class=\"single\"><div class=\"panel\">" + plot->svg + "</div><figcaption>" +
-               escape_html(plot->title) + "</figcaption></figure>\n";
-    }
-    return out + "</article>\n";
+    return {{"id", first.id},
+            {"place", place_words(first, head.source)},
+            {"weight", weight_words(erratum.weight)},
+            {"where", where_html(first, head)},
+            {"has_source", first.lines.first != 0},
+            {"claims", claims},
+            {"quote", sentence ? sentence_html(first.printed, head.source) : ""},
+            {"parts", parts},
+            {"later", later_values(erratum, result, head.source)},
+            {"plot", plot}};
 }
 
-std::string claim_html(const audit::ClaimResult& result, const PageHead& head) {
+Json claim_values(const audit::ClaimResult& result, const PageHead& head) {
     const audit::Claim& claim = result.claim;
+    const audit::Outcome& outcome = result.outcome;
     const PrintedSource& source = head.source;
-    const std::string id = escape_html(claim.id);
-    std::string out = fmt::format(
-        "<details class=\"claim\" id=\"{0}\" data-verdict=\"{1}\" data-section=\"{2}\">\n<summary>"
-        "<span class=\"id\">{3}</span> {4} <span class=\"said\">{5}</span></summary>\n"
-        "<div class=\"body\">\n<p class=\"where\"><a href=\"#{0}\">{0}</a>",
-        id, name_of(result.outcome.verdict), escape_html(source.section_of(claim.lines.first)),
-        escape_html(place_words(claim, source)),
-        verdict_mark(result.outcome.verdict, verdict_text(result)), printed_html(claim, source));
-    for (const std::string& part :
-         {where_html(claim, head), "a check of kind " + escape_html(claim.kind)}) {
-        out += part.empty() ? "" : " · " + part;
-    }
-    out += "</p>\n";
-    if (!result.outcome.note.empty()) {
-        out += "<p>" + note_html(result.outcome.note, claim, source) + "</p>\n";
-    }
-    if (claim.has("quoted")) {
-        out += "<p>Quoted: " + escape_html(claim.text("quoted")) +
-               (result.outcome.computed
-                    ? "; computed: " + note_html(*result.outcome.computed, claim, source)
-                    : "") +
-               "</p>\n";
-    }
-    if (result.outcome.verdict != audit::Verdict::proved &&
-        result.outcome.verdict != audit::Verdict::confirmed) {
-        if (const auto correction = correction_of(result, source)) {
-            out += sides_html(*correction, claim, source);
-        }
-    }
-    if (claim.has("remark")) {
-        out += "<p class=\"remark\">" + note_html(claim.text("remark"), claim, source) + "</p>\n";
-    }
-    if (!claim.printed.empty()) {
-        out += "<details class=\"tex\"><summary>TeX of the source</summary><code>" +
-               escape_html(claim.printed) + "</code></details>\n";
-    }
-    out += theorem_html(claim, head);
-    if (!result.outcome.evidence.empty()) {
-        out += scroll("evidence for " + claim.id,
-                      evidence_html(result.outcome.evidence, claim, source));
-    }
-    return out + "</div>\n</details>\n";
+    const auto note = [&](const std::string& text) { return note_html(text, claim, source); };
+    const bool right =
+        outcome.verdict == audit::Verdict::proved || outcome.verdict == audit::Verdict::confirmed;
+    const auto correction = right ? std::nullopt : correction_of(result, source);
+    const auto theorem = head.theorems.find(claim.id);
+    return {{"id", claim.id},
+            {"verdict", name_of(outcome.verdict)},
+            {"section", source.section_of(claim.lines.first)},
+            {"place", place_words(claim, source)},
+            {"verdict_text", verdict_text(result)},
+            {"printed", printed_html(claim, source)},
+            {"where", where_html(claim, head)},
+            {"kind", claim.kind},
+            {"note", note(outcome.note)},
+            {"quoted", claim.text_or("quoted", "")},
+            {"computed", note(outcome.computed.value_or(""))},
+            {"correction", correction ? sides_html(*correction, claim, source) : ""},
+            {"remark", note(claim.text_or("remark", ""))},
+            {"tex", claim.printed},
+            {"theorem", theorem == head.theorems.end()
+                            ? Json()
+                            : Json{{"path", theorem->second.path},
+                                   {"sha256", theorem->second.sha256},
+                                   {"statements", theorem->second.statements}}},
+            {"evidence", outcome.evidence.empty()
+                             ? ""
+                             : evidence_html(evidence_json(outcome.evidence), claim, source)}};
 }
 
 } // namespace edgeproof::report

@@ -14,7 +14,6 @@
 #include <initializer_list>
 #include <iterator>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace edgeproof::report {
@@ -266,55 +265,56 @@ Table question_table(const conformance::Questions& questions, const std::string&
     return table;
 }
 
-std::vector<std::string> table_differences(const io::Csv& old, const Table& made, bool sample) {
+std::vector<std::string> row_differences(const io::Csv& old,
+                                         const std::vector<std::vector<std::string>>& made,
+                                         const std::function<bool(const std::string&)>& is_made) {
     std::vector<std::string> said;
-    const auto say = [&](std::size_t line, const std::string& what) {
-        said.push_back(fmt::format("{}:{}: {}", old.file, line, what));
+    const auto say = [&](std::size_t line, const std::string& id, const std::string& what) {
+        said.push_back(fmt::format("{}:{}: row {} {}", old.file, line, id, what));
     };
-    const std::vector<std::string> columns = names_of(made.columns);
-    if (old.header.cells != columns) {
-        say(old.header.line, "the columns are not those of the recipe");
-        return said;
-    }
-    std::map<std::string, const io::Csv::Row*, std::less<>> by_id;
+    std::map<std::string, const io::Csv::Row*> by_id;
     for (const io::Csv::Row& row : old.rows) {
         if (!by_id.emplace(row.cells.front(), &row).second) {
-            say(row.line, "row " + row.cells.front() + " occurs twice");
+            say(row.line, row.cells.front(), "occurs twice");
         }
     }
-    for (const std::string& wrong : wrong_facts(old, made)) {
-        say(1, wrong);
-    }
-    std::size_t last = 0;
-    std::set<std::string, std::less<>> ids;
-    for (const auto& row : made.rows) {
-        ids.insert(row.front());
+    for (const auto& row : made) {
         const auto found = by_id.find(row.front());
         if (found == by_id.end()) {
-            say(1, "row " + row.front() + " is missing");
+            say(1, row.front(), "is missing");
             continue;
         }
         const io::Csv::Row& was = *found->second;
-        if (was.line < last) {
-            say(was.line, "row " + row.front() + " is out of order");
-        }
-        last = was.line;
-        for (std::size_t i = 0; i < columns.size(); ++i) {
+        for (std::size_t i = 0; i < std::max(row.size(), was.cells.size()); ++i) {
             const std::string cell = i < was.cells.size() ? was.cells[i] : "";
-            if (cell != row[i]) {
-                say(was.line, fmt::format("row {}: {} is {}, made anew {}", row.front(), columns[i],
-                                          cell, row[i]));
+            if (i >= row.size() || cell != row[i]) {
+                say(was.line, row.front(),
+                    i < row.size() ? fmt::format("has {} {}, made anew {}", old.header.cells.at(i),
+                                                 cell, row[i])
+                                   : "has a cell too many");
             }
         }
-        if (was.cells.size() > columns.size()) {
-            say(was.line, "row " + row.front() + " has a cell too many");
+        by_id.erase(found);
+    }
+    for (const auto& [id, row] : by_id) {
+        if (is_made(id)) {
+            say(row->line, id, "is not there any more");
         }
     }
-    for (const io::Csv::Row& row : old.rows) {
-        if (!sample && !ids.contains(row.cells.front())) {
-            say(row.line, "row " + row.cells.front() + " is not in the recipe");
-        }
+    return said;
+}
+
+std::vector<std::string> table_differences(const io::Csv& old, const Table& made, bool sample) {
+    if (old.header.cells != names_of(made.columns)) {
+        return {fmt::format("{}:{}: the columns are not those of the recipe", old.file,
+                            old.header.line)};
     }
+    std::vector<std::string> said = wrong_facts(old, made);
+    for (std::string& fact : said) {
+        fact = fmt::format("{}:1: {}", old.file, fact);
+    }
+    std::ranges::copy(row_differences(old, made.rows, [&](const std::string&) { return !sample; }),
+                      std::back_inserter(said));
     return said;
 }
 

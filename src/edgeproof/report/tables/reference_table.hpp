@@ -5,6 +5,7 @@
 #include "edgeproof/report/tables/table.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,10 +32,17 @@ inline constexpr std::string_view checksum_key = "checksum";
 [[nodiscard]] Table question_table(const conformance::Questions& questions,
                                    const std::string& title);
 
-/// Returns the differences between a table on disk and a new one, one line each: rows that differ,
-/// are missing, superfluous or out of order, and a head that states other digits, another rounding,
-/// or another number of rows or estimates or another checksum than that of its rows. `sample`: the
-/// new table has only some of the rows. Empty if all digits agree.
+/// Returns the differences between recorded rows and the same rows made anew, each found by its
+/// first cell, a line each: rows that differ, are missing or occur twice, and recorded ones that
+/// are not there any more although `is_made` states that their ids are made anew.
+[[nodiscard]] std::vector<std::string>
+row_differences(const io::Csv& old, const std::vector<std::vector<std::string>>& made,
+                const std::function<bool(const std::string&)>& is_made);
+
+/// Returns the differences between a table on disk and a new one, one line each: those of rows, and
+/// a head that states other digits, another rounding, or another number of rows or estimates or
+/// another checksum than that of its rows (which also tells their order). `sample`: the new table
+/// has only some of the rows. Empty if all digits agree.
 [[nodiscard]] std::vector<std::string> table_differences(const io::Csv& old, const Table& made,
                                                          bool sample);
 

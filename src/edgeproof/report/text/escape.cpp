@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/text/escape.hpp"
 
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 
 #include <boost/locale/utf.hpp>
@@ -128,30 +127,6 @@ std::string escape_html(std::string_view text) {
     }
     return replaced(
         valid, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}});
-}
-
-std::string fill_template(std::string_view text,
-                          const std::map<std::string, std::string, std::less<>>& values) {
-    std::string out;
-    while (true) {
-        const std::size_t open = text.find("{{");
-        out += text.substr(0, open);
-        if (open == std::string_view::npos) {
-            return out;
-        }
-        const std::size_t close = text.find("}}", open);
-        if (close == std::string_view::npos) {
-            throw Error("a template of the report has {{ without }}");
-        }
-        const std::string_view name = text.substr(open + 2, close - open - 2);
-        const auto value = values.find(name);
-        if (value == values.end()) {
-            throw Error("a template of the report asks for '" + std::string(name) +
-                        "', which nothing supplies");
-        }
-        out += value->second;
-        text.remove_prefix(close + 2);
-    }
 }
 
 } // namespace edgeproof::report

@@ -2,7 +2,6 @@
 #pragma once
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <string_view>
 
@@ -32,18 +31,6 @@ void add_csv_cell(std::string& line, std::string_view text);
 /// Escapes text for HTML, between tags or in a quoted attribute. Control characters not allowed in
 /// HTML become spaces; bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string escape_html(std::string_view text);
-
-/// Replaces `{{name}}` in a template by `values[name]`, once and not in the inserted text. Throws
-/// Error for a name without a value.
-[[nodiscard]] std::string
-fill_template(std::string_view text, const std::map<std::string, std::string, std::less<>>& values);
-
-/// The files of share/edgeproof/report when the program was built.
-namespace report_template {
-extern const std::string_view page_html;
-extern const std::string_view page_css;
-extern const std::string_view page_js;
-} // namespace report_template
 
 /// Returns the number of UTF-8 code points as the number of columns; nearly all texts are ASCII.
 [[nodiscard]] inline std::size_t text_width(const std::string& text) {

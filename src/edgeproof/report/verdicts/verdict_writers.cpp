@@ -14,7 +14,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
+#include <iterator>
 #include <optional>
 #include <set>
 
@@ -24,22 +24,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Cells = std::vector<std::string>;
 
-Json to_json(const audit::EvidenceItem& item);
-
-Json to_json(const audit::Evidence& evidence) {
-    Json object = Json::object();
-    for (const auto& [key, item] : evidence.entries()) {
-        object[key] = to_json(item);
-    }
-    return object;
-}
-
 Json to_json(const audit::EvidenceItem& item) {
     return std::visit(
         [](const auto& value) -> Json {
             using V = std::remove_cvref_t<decltype(value)>;
             if constexpr (std::is_same_v<V, audit::Evidence>) {
-                return to_json(value);
+                return evidence_json(value);
             } else if constexpr (std::is_same_v<V, std::vector<audit::EvidenceItem>>) {
                 Json list = Json::array();
                 for (const audit::EvidenceItem& part : value) {
@@ -99,6 +89,14 @@ std::string breakable_latex(std::string_view text) {
 
 } // namespace
 
+Json evidence_json(const audit::Evidence& evidence) {
+    Json object = Json::object();
+    for (const auto& [key, item] : evidence.entries()) {
+        object[key] = to_json(item);
+    }
+    return object;
+}
+
 std::array<std::size_t, audit::all_verdicts.size()>
 count_verdicts(const audit::AuditResult& result) {
     std::array<std::size_t, audit::all_verdicts.size()> counts{};
@@ -153,9 +151,7 @@ std::string verdicts_json(const audit::AuditResult& result) {
                 evidence["says_as_typed"] = *typed;
             }
         }
-        for (const auto& [key, item] : r.outcome.evidence.entries()) {
-            evidence[key] = to_json(item);
-        }
+        evidence.update(evidence_json(r.outcome.evidence));
         c["evidence"] = std::move(evidence);
         claims.push_back(std::move(c));
     }
@@ -234,12 +230,6 @@ namespace {
 
 const Cells golden_head{"id", "verdict", "correct"};
 
-std::string row(const Cells& cells) {
-    std::string line = csv_line(cells);
-    line.pop_back();
-    return line;
-}
-
 /// The cells as the CSV reader returns them.
 Cells cells_of(const audit::ClaimResult& r) {
     return {r.claim.id, std::string(name_of(r.outcome.verdict)),
@@ -271,44 +261,21 @@ std::vector<std::string> golden_differences(const audit::AuditResult& result,
                                             const std::string& only) {
     const io::Csv csv = io::parse_csv(io::read_text(file, "recorded verdicts"), file.string());
     if (csv.header.cells != golden_head) {
-        throw InputError("the first line is not '" + row(golden_head) + "'",
+        throw InputError(fmt::format("the first line is not '{}'", fmt::join(golden_head, ",")),
                          "record the verdicts anew with --record")
             .at(file.string(), csv.header.line);
     }
-    std::map<std::string, Cells> expected;
-    std::vector<std::string> order;
+    std::set<std::string> ids;
     for (const io::Csv::Row& line : csv.rows) {
-        if (line.cells.size() < 2) {
-            throw InputError("a row with no verdict", "write id,verdict,correct")
+        if (!ids.insert(line.cells.front()).second) {
+            throw InputError("a second row of " + line.cells.front(), "keep the row that is right")
                 .at(file.string(), line.line);
         }
-        const std::string& id = line.cells.front();
-        if (!expected.emplace(id, line.cells).second) {
-            throw InputError("a second row of " + id, "keep the row that is right")
-                .at(file.string(), line.line);
-        }
-        if (audit::matches(only, id)) {
-            order.push_back(id);
-        }
     }
-    std::vector<std::string> differences;
-    std::set<std::string> seen;
-    for (const audit::ClaimResult& r : result.claims) {
-        seen.insert(r.claim.id);
-        const auto at = expected.find(r.claim.id);
-        if (at == expected.end()) {
-            differences.push_back(r.claim.id + ": not in the golden file; now " + row(cells_of(r)));
-        } else if (at->second != cells_of(r)) {
-            differences.push_back(r.claim.id + ": was " + row(at->second) + "; now " +
-                                  row(cells_of(r)));
-        }
-    }
-    for (const std::string& id : order) {
-        if (!seen.contains(id)) {
-            differences.push_back(id + ": in the golden file, but no claim has this id");
-        }
-    }
-    return differences;
+    std::vector<Cells> made;
+    std::ranges::transform(result.claims, std::back_inserter(made), cells_of);
+    return row_differences(csv, made,
+                           [&](const std::string& id) { return audit::matches(only, id); });
 }
 
 } // namespace edgeproof::report

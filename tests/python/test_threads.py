@@ -22,56 +22,6 @@ def scenes():
     ]
 
 
-def test_shapes_and_types(hertz):
-    u = np.linspace(0.1, 1.9, 24)
-    flat = hertz.pressures(u)
-    assert flat.dtype == np.float64 and flat.shape == (24,)
-    cube = u.reshape(2, 3, 4)
-    assert np.array_equal(hertz.pressures(cube), flat.reshape(2, 3, 4))
-    assert np.array_equal(hertz.pressures(u[::3]), flat[::3])
-    assert np.array_equal(hertz.pressures(u[::-1]), flat[::-1])
-    assert np.array_equal(hertz.pressures(cube.T), flat.reshape(2, 3, 4).T)
-    assert np.array_equal(hertz.pressures(np.asfortranarray(cube)), flat.reshape(2, 3, 4))
-    assert np.array_equal(hertz.pressures(u.astype(">f8")), flat)
-    assert np.array_equal(hertz.pressures(list(u)), flat)
-    assert hertz.pressures(np.float32([0.5])).tolist() == hertz.pressures([0.5]).tolist()
-    assert hertz.pressures([1]).tolist() == [0.5]
-    scalar = hertz.pressures(0.5)
-    assert scalar.shape == () and float(scalar) == hertz.pressures([0.5])[0]
-    for shape in ((0,), (0, 3), (3, 0)):
-        assert hertz.pressures(np.empty(shape)).shape == shape
-    read_only = u.copy()
-    read_only.setflags(write=False)
-    assert np.array_equal(hertz.pressures(read_only), flat)
-    assert np.array_equal(u, np.linspace(0.1, 1.9, 24))  # u is not changed
-
-
-def test_nan_is_refused_with_its_index(hertz):
-    with pytest.raises(edgeproof.InputError, match=r"u\[3\] is not a number"):
-        hertz.pressures([0.1, 0.2, 0.3, np.nan, np.nan])
-    with pytest.raises(edgeproof.InputError, match=r"u\[1, 2\] is not a number"):
-        hertz.pressures([[0.1, 0.2, 0.3], [0.1, 0.2, np.nan]])
-
-
-def test_masked_elements_are_refused(hertz):
-    masked = np.ma.masked_array([0.1, 0.2], [False, True])
-    for work in (hertz.pressures, hertz.pressure):
-        with pytest.raises(edgeproof.InputError, match="masked"):
-            work(masked)
-    with pytest.raises(edgeproof.InputError, match="masked"):
-        hertz.pressure(np.ma.masked)
-    whole = np.ma.masked_array([0.1, 0.2])
-    assert (hertz.pressures(whole) == hertz.pressures([0.1, 0.2])).all()
-
-
-def test_arrays_that_lose_digits_are_refused(hertz):
-    for wrong in (["0.1"], [True], [1j], [None], [2**53 + 1], np.longdouble([1]) / 3):
-        with pytest.raises(TypeError):
-            hertz.pressures(wrong)
-    with pytest.raises(edgeproof.InputError):
-        hertz.pressures([0.1], edge="top")
-
-
 def test_several_threads_use_one_scene(scenes):
     u = np.linspace(0.001, 0.4, 200)
     for scene in scenes:
@@ -120,3 +70,27 @@ def test_the_gil_is_released():
     thread.join()
     # If the GIL were held, the loop would run at most a few times during a call.
     assert most[0] > 10
+
+
+POWER_LAW = """title = "own"
+[profile]
+kind = "power-law"
+m = { from = "1", to = "2" }
+C = "1"
+[load]
+a = "1"
+contact_modulus = "1"
+"""
+
+
+def test_other_threads_run_meanwhile():
+    ran = threading.Event()
+
+    def wait(done, of):
+        # The GIL is held only during this call, so that the other thread can run.
+        assert ran.wait(60)
+
+    threading.Timer(0.1, ran.set).start()
+    edgeproof.design(text=POWER_LAW, maximise="first_exit", tolerance="2%", digits=5, gap="0.1",
+                     progress=wait)
+    assert ran.is_set()

@@ -105,15 +105,9 @@ private:
     };
     /// What bounds of T need.
     struct Bounding {
-        struct Node {
-            Ball theta;
-            Ball s;
-            Ball slope; ///< g'(s)
-        };
         Ball mean; ///< see mean_slope
         Ball force;
         Ball steepest;                      ///< an upper bound of g''
-        std::vector<Node> nodes;            ///< from the right edge to the left one, knots included
         mutable std::vector<Around> around; ///< the series made so far
     };
     /// Computed when first needed.

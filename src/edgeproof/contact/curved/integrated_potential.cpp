@@ -16,7 +16,6 @@
 namespace edgeproof::contact {
 namespace {
 
-constexpr long cells_of_a_piece = 48;  ///< on which T is bounded where it is not smooth
 constexpr std::size_t far_terms = 24;  ///< of the Taylor series that serve many boxes
 constexpr long bits_of_searches = 128; ///< with more bits a place has a series of its own
 constexpr std::size_t few_terms = 6;   ///< of such a series
@@ -121,16 +120,6 @@ const IntegratedContact::Bounding& IntegratedContact::bounding() const {
         made->mean = mean_slope();
         made->force = force();
         made->steepest = steepest_rise(profile_, a_, b_).with_bits(bits_);
-        const Ball centre = (a_ - b_) / 2;
-        const Ball half = (a_ + b_) / 2;
-        for (const quadrature::ThetaSpan& span : piece_spans(a_, b_)) {
-            for (long i = made->nodes.empty() ? 0 : 1; i <= cells_of_a_piece; ++i) {
-                const Ball theta = span.from + (span.to - span.from) * i / cells_of_a_piece;
-                // g' does not decrease: between two nodes it lies between its values there
-                const Ball s = max(min(centre + half * cos(theta), a_), -b_);
-                made->nodes.push_back({theta, s, series_of_slope(span.piece, s, 1)[0]});
-            }
-        }
         bounding_ = std::move(made);
     }
     return *bounding_;
@@ -319,8 +308,10 @@ CauchyDerivatives IntegratedContact::cauchy_derivatives(const Box& zeta) const {
     const Box middle = zeta.middle();
     const Ball size = upper_end(abs(zeta - middle));
     const Ball distance = distance_from(a_, b_, middle);
-    if (!certainly_less(size * 4, distance)) {
-        return near_contact(zeta);
+    // one disk on the contact serves more boxes than a series off it
+    const CauchyDerivatives near = near_contact(zeta);
+    if (near[1].is_finite() || !certainly_less(size * 4, distance)) {
+        return near;
     }
     if (bits_ > bits_of_searches) {
         return off_contact(series_off_contact(middle, few_terms, bits_), zeta);
@@ -334,47 +325,53 @@ CauchyDerivatives IntegratedContact::cauchy_derivatives(const Box& zeta) const {
     return off_contact(bounding().around.back(), zeta);
 }
 
-// Where T is not smooth: for any X of the contact T = (E*/2)(W N + pi (g'(X) - mean)), N the
+// Where T is not smooth. For any X of the contact T = (E*/2)(W N + pi (g'(X) - mean)), N the
 // integral of (g'(s) - g'(X))/(zeta - s) over theta, and T' = (E*/2)(W' N + W N'). With the X
-// nearest to x the quotient is at most the greatest g'', and z times the quotient by
-// (zeta - s)^2, too.
+// nearest to x the quotient is at most the greatest g'', L, so that |N| <= pi L, z |N'| <= pi L,
+// and |N'| <= L J, J the integral of 1/|zeta - s|. At the distance 2 r or more from both edges J <=
+// 2 (1 + ln(r/z))/sqrt(r D/2) + pi/r, and T differs from its value at the top of a box by the
+// integral of that.
 CauchyBounds IntegratedContact::cauchy_bounds(const Box& zeta) const {
     const CauchyDerivatives smooth = cauchy_derivatives(zeta);
     if (smooth[1].is_finite()) {
         return {smooth[0], smooth[1] * zeta.imaginary()};
     }
-    const Bounding& f = bounding();
-    const auto slope_at = [&](const Ball& x) { // at a point, which may be a knot
-        const auto piece = piece_of(x);
-        return piece ? series_of_slope(*piece, x, 1)[0]
-                     : std::ranges::find_if(f.nodes, [&](const Bounding::Node& node) {
-                           return overlaps(node.s, x);
-                       })->slope;
-    };
-    const Ball left = max(min(lower_end(zeta.real()), a_), -b_);
-    const Ball right = max(min(upper_end(zeta.real()), a_), -b_);
-    const Ball at_X = Ball::hull(slope_at(middle(left)), slope_at(middle(right)));
-    const Ball depth = zeta.imaginary();
-    const Box steep = box_of_size(f.steepest);
-    const auto bounded = [&](const Box& x) {
-        return x.is_finite() && abs(x).upper() <= f.steepest.upper() ? x : steep;
-    };
-    Box N(bits_);
-    Box N_rate(bits_); // z times the integral of the quotient by (zeta - s)^2
-    for (std::size_t i = 0; i + 1 < f.nodes.size(); ++i) {
-        const Bounding::Node& from = f.nodes[i];
-        const Bounding::Node& to = f.nodes[i + 1];
-        const Box distance = zeta - Ball::hull(from.s, to.s);
-        const Box quotient = Box(Ball::hull(from.slope, to.slope) - at_X) / distance;
-        const Ball width = to.theta - from.theta;
-        N = N + bounded(quotient) * width;
-        N_rate = N_rate + bounded(quotient / distance * depth) * width;
-    }
-    const Extent<Ball> e{a_, b_};
+    const Ball pi = Ball::pi(bits_);
     const Ball factor = modulus_ / 2;
-    const Box root = root_above(e, zeta);
-    return {(root * N + (at_X - f.mean) * Ball::pi(bits_)) * factor,
-            ((zeta - (a_ - b_) / 2) * depth_over_root(e, zeta) * N - root * N_rate) * factor};
+    const Ball L = bounding().steepest;
+    const Extent<Ball> e{a_, b_};
+    const Ball W = upper_end(abs(root_above(e, zeta)));
+    const Ball from_middle = upper_end(abs(zeta - (a_ - b_) / 2));
+    const Ball top = upper_end(zeta.imaginary());
+    const Ball breadth = up_to(Ball(zeta.real().radius(), bits_));
+    const Ball r = lower_end(min(a_ - zeta.real(), zeta.real() + b_)) / 2;
+    if (certainly_less((top + upper_end(breadth)) * 4, r) && certainly_positive(top)) {
+        const Ball by_root = from_middle / lower_end(abs(root_above(e, zeta))) * pi; // |W' N|/L
+        const Ball by_logarithm = W * 2 / sqrt(r * length() / 2);
+        const Ball at_top =
+            by_root + W * pi / r + by_logarithm * (log(r / top) + 1); // |T'| 2/(E* L)
+        const Ball across = upper_end(breadth) * at_top;
+        const Ball down = top * (at_top + by_logarithm);
+        const Box start = cauchy_derivatives(Box(middle(zeta.real()), top))[0];
+        return {start + box_of_size((across + down) * factor * L),
+                box_of_size(top * (at_top + by_logarithm) * factor * L)};
+    }
+    const auto slope_at = [&](const Ball& x) { // at a point, which may be a knot
+        if (const auto piece = piece_of(x)) {
+            return series_of_slope(*piece, x, 1)[0];
+        }
+        Ball either = unknown_ball(bits_);
+        for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
+            if (overlaps(x, slope_.knots[i])) {
+                either = Ball::hull(series_of_slope(i, x, 1)[0], series_of_slope(i + 1, x, 1)[0]);
+            }
+        }
+        return either;
+    };
+    const Ball X = max(min(zeta.real(), a_), -b_);
+    const Ball slope = Ball::hull(slope_at(lower_end(X)), slope_at(upper_end(X)));
+    return {(box_of_size(W * L) + (slope - bounding().mean)) * (pi * factor),
+            box_of_size((from_middle * abs(depth_over_root(e, zeta)) + W) * pi * L * factor)};
 }
 
 } // namespace edgeproof::contact

@@ -161,11 +161,16 @@ public:
             }
             return closed->pressure_factor() / ball_of(scene_.profile->parameters().at("m"), bits_);
         }
+        const bool falls =
+            !scene_.closed() && scene_.symmetric() && curvature_falls(*scene_.profile, a());
+        require(
+            falls || !scene_.curved_body(),
+            "the greatest pressure of a curved slope of revolution is proved only where g'' does "
+            "not increase from the axis",
+            "ask for pressures at points");
         try {
-            // a power law and linear pieces have searches that prove it
-            return !scene_.closed() && scene_.symmetric() && curvature_falls(*scene_.profile, a())
-                       ? contact_->pressure(Edge::right, a(), Exact())
-                       : enclosed_peak(contact(), scene_.symmetric());
+            return falls ? contact_->pressure(Edge::right, a(), Exact())
+                         : enclosed_peak(contact(), scene_.symmetric());
         } catch (const BudgetError&) {
             return not_known();
         }

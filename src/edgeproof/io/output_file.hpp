@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/io/process.hpp"
 
+#include <concepts>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -45,9 +46,30 @@ void check_folder(const std::filesystem::path& folder);
 void write_folder(const std::filesystem::path& target,
                   const std::function<void(const std::filesystem::path&)>& write);
 
-/// True for a name of a file, without its ending, that stays in its folder and that no shell reads
-/// in another way: letters, digits, '-', '_' and '.', no '.' or '-' in front, at most 120 bytes.
-[[nodiscard]] bool is_file_stem(std::string_view name);
+/// The name, without extension, of a file made for an id of the input. The name always stays in its
+/// folder: only letters, digits, '-', '_' and '.', no '.' or '-' in front, and at most `most_bytes`
+/// bytes. An id of this form is its own name. Any other id is changed to this form and ends with
+/// '-' and 16 hexadecimal digits of its SHA-256, so that different ids have different names.
+class FileStem {
+public:
+    static constexpr std::size_t most_bytes = 120;
+
+    FileStem() : FileStem(std::string_view("unnamed")) {}
+    template <std::convertible_to<std::string_view> Text>
+    FileStem(const Text& id) // NOLINT(google-explicit-constructor): safe for every text
+        : FileStem(std::string_view(id)) {}
+    FileStem(std::string_view id); // NOLINT(google-explicit-constructor)
+
+    [[nodiscard]] const std::string& text() const noexcept { return text_; }
+    /// Returns, for example, "ID.svg".
+    [[nodiscard]] std::string with(std::string_view ending) const {
+        return text_ + std::string(ending);
+    }
+    friend bool operator==(const FileStem&, const FileStem&) = default;
+
+private:
+    std::string text_;
+};
 
 inline constexpr const char* give_writable_folder =
     "give a folder that can be written to, with free space";

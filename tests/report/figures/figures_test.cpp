@@ -66,7 +66,7 @@ TEST_CASE("figures 2 and 3 of the paper have the values of closed forms") {
             return sum;
         };
         const Plot errors = plot_of(0, panel);
-        CAPTURE(errors.id);
+        CAPTURE(errors.id.text());
         REQUIRE(errors.rows.size() > 60);
         std::size_t compared = 0;
         for (const auto& row : errors.rows) {
@@ -103,7 +103,7 @@ TEST_CASE("every figure of the paper is there, and another paper has none") {
         ids.insert(figure.id);
         CHECK_FALSE(figure.caption.empty());
         for (const auto& make : figure.plots) {
-            CHECK(panels.insert(make().value().id).second);
+            CHECK(panels.insert(make().value().id.text()).second);
         }
     }
     CHECK(ids ==
@@ -131,7 +131,7 @@ TEST_CASE("every figure of the paper is there, and another paper has none") {
 
 TEST_CASE("residual fit: the tables have the slopes that the legends state") {
     const Plot plot = figures().residuals.at(2).plots.at(0)().value(); // Hertz
-    CHECK(plot.id == "residual-fig2c-hertz-right");
+    CHECK(plot.id.text() == "residual-fig2c-hertz-right");
     const PrecisionScope scope(digits);
     REQUIRE(plot.curves.size() == 8);
     for (std::size_t n = 0; n < 8; ++n) {

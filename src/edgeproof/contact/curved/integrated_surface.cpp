@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The gap beside a contact of a curved slope, and the potential of its pressure along the surface
-// (docs/stress.md, "The displacements of curved slopes").
+// (docs/stress.md, "The displacements").
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"

@@ -170,8 +170,6 @@ FiguresOfSource figures_of_source(const std::filesystem::path& ledger) {
     std::set<std::string> ids; // they name files
     const auto own_id = [&](const io::TomlSection& section, const char* key,
                             const std::string& id) {
-        section.require(io::is_file_stem(id), key, "'" + id + "' cannot name a file",
-                        "write letters, digits, -, _ and .");
         section.require(ids.insert(id).second, key, id + " is there twice", "name each once");
         return id;
     };

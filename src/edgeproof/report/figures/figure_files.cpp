@@ -86,9 +86,9 @@ std::string converted_svg(const std::string& svg, const std::string& format) {
 
 void write_plot_files(const Plot& plot, const std::string& svg,
                       const std::filesystem::path& folder) {
-    io::write_whole(folder / (plot.id + ".csv"), to_csv(plot));
+    io::write_whole(folder / plot.id.with(".csv"), to_csv(plot));
     if (!svg.empty()) {
-        io::write_whole(folder / (plot.id + ".svg"), svg);
+        io::write_whole(folder / plot.id.with(".svg"), svg);
     }
 }
 

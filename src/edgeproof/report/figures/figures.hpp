@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/real.hpp"
 
 #include <cstddef>
@@ -48,7 +49,7 @@ struct PlaneField {
 
 /// One panel: a table of x, with a column for each curve.
 struct Plot {
-    std::string id;          ///< "fig2a": the name of its files
+    io::FileStem id;         ///< "fig2a": the name of its files
     std::string title;       ///< "a) wedge, m = 0"
     std::string description; ///< the picture in words, for readers who cannot see it
     Axis x;

@@ -223,8 +223,8 @@ std::string draw_svg(const std::vector<Plot>& plots) {
 }
 
 std::string inline_svg(const std::string& svg, const Plot& plot) {
-    const std::string title = plot.id + "-title";
-    const std::string description = plot.id + "-desc";
+    const std::string title = plot.id.with("-title");
+    const std::string description = plot.id.with("-desc");
     std::string out = svg;
     const auto replace = [&](std::string_view from, const std::string& with) {
         out.replace(out.find(from), from.size(), with);

@@ -59,8 +59,9 @@ std::string figures_html(const Json& figures) {
 
 Json drawn_panel(const Plot& plot, const std::string& svg, const std::filesystem::path& folder) {
     write_plot_files(plot, svg, folder);
-    return {
-        {"id", plot.id}, {"title", plot.title}, {"svg", svg.empty() ? "" : inline_svg(svg, plot)}};
+    return {{"id", plot.id.text()},
+            {"title", plot.title},
+            {"svg", svg.empty() ? "" : inline_svg(svg, plot)}};
 }
 
 std::string html_page(const audit::AuditResult& result, const PageFigures& figures,

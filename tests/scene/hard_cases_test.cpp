@@ -35,14 +35,17 @@ std::optional<Quantity> hard_quantity(const std::string& name) {
 
 struct HardCase {
     std::string name;
+    std::string quantity; ///< also residual and tilt-difference, which are made of others
     Scene scene;
     AskedValue asked;
     Real expected;
 };
 
 HardCase read_case(const std::string& name, const TomlSection& section) {
-    HardCase c{name, read_contact(section), {}, {}};
-    const auto quantity = hard_quantity(section.text("quantity"));
+    HardCase c{name, section.text("quantity"), read_contact(section), {}, {}};
+    const auto quantity = hard_quantity(c.quantity == "residual"          ? "relative-error"
+                                        : c.quantity == "tilt-difference" ? "pressure"
+                                                                          : c.quantity);
     REQUIRE_MESSAGE(quantity, name);
     c.asked.quantity = *quantity;
     const QuantityRow& row = row_of(*quantity);
@@ -123,17 +126,15 @@ BoundedValue residual(const Scene& scene, const AskedValue& asked, unsigned digi
 }
 
 BoundedValue tilt_difference(const Scene& scene, const AskedValue& asked, unsigned digits) {
-    AskedValue pressure = asked;
-    pressure.quantity = Quantity::p;
-    const BoundedValue p = single(scene, pressure, digits);
-    const BoundedValue q = single(upright(scene), pressure, digits);
+    const BoundedValue p = single(scene, asked, digits);
+    const BoundedValue q = single(upright(scene), asked, digits);
     return {p.value - q.value, p.proved && q.proved, p.route};
 }
 
 BoundedValue enclosed(const HardCase& c) {
-    const auto difference = c.asked.quantity == Quantity::residual          ? residual
-                            : c.asked.quantity == Quantity::tilt_difference ? tilt_difference
-                                                                            : nullptr;
+    const auto difference = c.quantity == "residual"          ? residual
+                            : c.quantity == "tilt-difference" ? tilt_difference
+                                                              : nullptr;
     if (difference == nullptr) {
         return single(c.scene, c.asked, hard_digits);
     }

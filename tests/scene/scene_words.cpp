@@ -2,12 +2,12 @@
 #include "tests/scene/scene_words.hpp"
 
 #include "edgeproof/io/text_file.hpp"
+#include "edgeproof/scene/input/scene_words.hpp"
 #include "tests/support/paths.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <set>
 #include <sstream>
 #include <utility>
 
@@ -16,20 +16,10 @@ namespace {
 
 using Keys = std::vector<std::pair<std::string, std::string>>;
 
-const std::map<std::string, std::set<std::string>> sections{
-    {"load", {"a", "P", "M", "delta", "width", "E1", "nu1", "E2", "nu2", "nu", "contact_modulus"}},
-    {"shear", {"Q", "bulk_tension", "bulk_A", "friction", "path"}},
-    {"ask",
-     {"edges", "terms", "u", "x", "points", "tolerance", "process_zone", "part", "quantities",
-      "route", "digits", "rounding", "reference"}}};
-
 std::string section_of(const std::string& key) {
-    for (const auto& [section, keys] : sections) {
-        if (keys.contains(key)) {
-            return section;
-        }
-    }
-    return "profile";
+    constexpr const char* sections[] = {"profile", "load", "shear", "ask", "units"};
+    const Key* const known = key_named(key);
+    return known != nullptr ? sections[known->section] : key == "points" ? "ask" : "profile";
 }
 
 std::string list_of(const std::string& text, const std::string& by, const auto& element) {
@@ -41,7 +31,6 @@ std::string list_of(const std::string& text, const std::string& by, const auto& 
 }
 
 std::string toml_value(const std::string& key, const std::string& text) {
-    static const std::set<std::string> lists{"knots", "slopes", "edges", "quantities", "part"};
     const auto quoted = [](const std::string& x) { return '"' + x + '"'; };
     const auto plain = [](const std::string& x) { return x; };
     const bool number = key == "terms" || key == "digits" || key == "cycles" || key == "symmetric";
@@ -51,7 +40,8 @@ std::string toml_value(const std::string& key, const std::string& text) {
     if (key == "points") {
         return list_of(text, ";", [&](const auto& pair) { return list_of(pair, ",", quoted); });
     }
-    if (lists.contains(key) || text.find(';') != std::string::npos) {
+    const Key* const known = key_named(key);
+    if ((known != nullptr && known->list) || text.find(';') != std::string::npos) {
         return number ? list_of(text, ";", plain) : list_of(text, ";", quoted);
     }
     return number ? text : quoted(text);
@@ -133,7 +123,8 @@ std::string toml_of(const std::string& words) {
     }
     return written("[units]", of["units"]) + written("[profile]", of["profile"]) +
            written("[load]", of["load"]) + (shear ? "[shear]\n" : "") +
-           written("[shear]", of["shear"]) + steps + written("[ask]", of["ask"]);
+           written("[shear]", of["shear"]) + steps + written("[ask]", of["ask"]) +
+           written("[parameters]", of["parameters"]) + written("[design]", of["design"]);
 }
 
 Scene made(const std::string& words) {

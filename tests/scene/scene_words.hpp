@@ -19,8 +19,9 @@ namespace edgeproof::scenes {
 /// friction=1/2 [P=1] [Q=1/10,cycles=2] u=0.1;0.2". A word without "=" is the kind of the profile,
 /// or one of axisymmetric, symmetric and [shear]; E is the contact modulus, 1 unless moduli are
 /// given; [..] is a step; ";" separates the elements of a list; a value after "==" is TOML. The
-/// section of a key follows from its name, or is written: units.length=mm. Each key has a line,
-/// under its section. A key that is given again has the last value; an empty value leaves it out.
+/// section of a key follows from its name, or is written: units.length=mm, design.terms==2. Each
+/// key has a line, under its section. A key that is given again has the last value; an empty value
+/// leaves it out.
 [[nodiscard]] std::string toml_of(const std::string& words);
 /// Returns the scene in words, or the scene "@FILE" of the repository.
 [[nodiscard]] Scene made(const std::string& words);

@@ -361,7 +361,7 @@ void Scene::stresses(std::span<const double> x, std::span<const double> z, const
         }
     }
     compute_binary64(solved_->scene, body_B ? scene::Body::B : scene::Body::A, x, z,
-                     {at.sxx, at.szz, at.sxz, at.tau_max, at.mises, at.bound});
+                     {{at.sxx, at.szz, at.sxz, at.tau_max, at.mises}, at.bound});
 }
 
 } // namespace edgeproof

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -31,7 +32,7 @@ public:
           body_(body), x_(x), z_(z), out_(out) {
         asked_.ask.in_bodies.clear();
         (void)make_plan(asked_); // refuses stresses that are not computed
-        if (!out.mises.empty()) {
+        if (has_mises()) {
             const Ball nu = ball_of(*scene.poisson(body), Binary64Stress::field_bits);
             poisson_ = {(1 - nu * 2).midpoint().convert_to<double>(), 0x1p-52};
         }
@@ -74,26 +75,25 @@ public:
     }
 
 private:
+    [[nodiscard]] bool has_mises() const { return !out_.of.back().empty(); }
     [[nodiscard]] bool at_once(std::size_t i) const {
         if (!fast_) {
             return false;
         }
         const contact::Binary64StressState s = fast_->at(x_[i], z_[i]);
         const Binary64Ball tau = hypot(s.half_difference, s.sxz);
-        double bound = std::max({s.sxx.radius, s.szz.radius, s.sxz.radius, tau.radius});
-        if (!out_.mises.empty()) {
-            const Binary64Ball root{1.7320508075688773, 0x1p-52};
-            const Binary64Ball mises =
-                hypot(root * tau, poisson_ * (s.sxx + s.szz) * Binary64Ball{0.5, 0});
-            out_.mises[i] = mises.middle;
-            bound = std::max(bound, mises.radius);
+        const Binary64Ball root{1.7320508075688773, 0x1p-52};
+        const Binary64Ball mises =
+            hypot(root * tau, poisson_ * (s.sxx + s.szz) * Binary64Ball{0.5, 0});
+        const Binary64Ball values[] = {s.sxx, s.szz, s.sxz, tau, mises};
+        double bound = 0;
+        double sum = 0; // not finite if one of the radii is not
+        for (std::size_t k = 0; k < std::size(values) - (has_mises() ? 0 : 1); ++k) {
+            out_.of[k][i] = values[k].middle;
+            bound = std::max(bound, values[k].radius);
+            sum += values[k].radius;
         }
-        out_.sxx[i] = s.sxx.middle;
-        out_.szz[i] = s.szz.middle;
-        out_.sxz[i] = s.sxz.middle;
-        out_.tau_max[i] = tau.middle;
         out_.bound[i] = bound;
-        const double sum = s.sxx.radius + s.szz.radius + s.sxz.radius + tau.radius + bound;
         return std::isfinite(sum) && bound <= most_error * mean_pressure_;
     }
     void by_scene(const std::vector<std::size_t>& indices) const {
@@ -106,20 +106,13 @@ private:
         for (const RowsAt& at : result.at_places(QuantityRow::Place::body)) {
             const std::size_t i = indices[at.point()];
             double bound = 0;
-            const auto value = [&](Quantity quantity) {
-                const Ball& x = at.at(quantity).value;
+            for (std::size_t k = 0; k < out_.of.size() && !out_.of[k].empty(); ++k) {
+                const Ball& x = at.at(binary64_stresses[k]).value;
                 const double nearest = x.midpoint().convert_to<double>();
                 const Ball error = abs(Ball(x - Ball(exact_rational(nearest), x.bits())));
                 bound =
                     std::max(bound, std::nextafter(error.upper().convert_to<double>(), HUGE_VAL));
-                return nearest;
-            };
-            out_.sxx[i] = value(Quantity::sxx);
-            out_.szz[i] = value(Quantity::szz);
-            out_.sxz[i] = value(Quantity::sxz);
-            out_.tau_max[i] = value(Quantity::tau_max);
-            if (!out_.mises.empty()) {
-                out_.mises[i] = value(Quantity::mises);
+                out_.of[k][i] = nearest;
             }
             out_.bound[i] = bound;
         }

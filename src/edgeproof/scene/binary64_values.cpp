@@ -80,25 +80,15 @@ public:
             }
             return 0;
         }
-        if (question_.quantity != Quantity::p) {
-            return in_full(edge, place);
-        }
-        if (balls_) {
-            if (const auto value = pressure(*balls_, edge, place)) {
+        if (question_.quantity == Quantity::p) {
+            if (on_corner(edge, place)) {
+                return std::numeric_limits<double>::infinity();
+            }
+            if (const auto value = by_balls(edge, place)) {
                 return *value;
             }
         }
-        if (on_corner(edge, place)) {
-            return std::numeric_limits<double>::infinity();
-        }
-        try {
-            return in_full(edge, place);
-        } catch (const Error&) {
-            if (const auto limit = near_edge_or_corner(edge, place)) {
-                return *limit;
-            }
-            throw;
-        }
+        return in_full(edge, place);
     }
 
 private:
@@ -182,13 +172,13 @@ private:
                    ? nearest(contact.pressure(from, u))
                    : std::nullopt;
     }
-    /// Returns p at a place that the route of the scene refuses: closer to the far edge or to a
-    /// corner than its bits separate, or exactly on one of them (as far as most_bits decide).
-    [[nodiscard]] std::optional<double> near_edge_or_corner(Edge edge, double place) const {
-        bool is_inside = false;
+    /// Returns p by a closed form at more and more bits. A place that no number of them separates
+    /// from an edge or from a corner is taken to be on it; nothing for any other that is undecided.
+    [[nodiscard]] std::optional<double> by_balls(Edge edge, double place) const {
+        bool is_inside = true;
         bool on_corner = false;
-        for (long bits = 2 * first_bits; scene_.closed() && bits <= most_bits; bits *= 2) {
-            const auto closer = at_bits(bits);
+        for (long bits = first_bits; scene_.closed() && bits <= most_bits; bits *= 2) {
+            const auto closer = bits == first_bits ? balls_ : at_bits(bits);
             if (!closer) {
                 continue;
             }
@@ -203,10 +193,9 @@ private:
                             return overlaps(x, u);
                         });
         }
-        if (on_corner) {
-            return std::numeric_limits<double>::infinity();
-        }
-        return is_inside || !scene_.closed() ? std::nullopt : std::optional(0.0);
+        return on_corner   ? std::optional(std::numeric_limits<double>::infinity())
+               : is_inside ? std::nullopt
+                           : std::optional(0.0);
     }
 
     /// Computes one value by the route of the scene.

@@ -4,6 +4,7 @@
 #include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -51,14 +52,14 @@ private:
     std::unique_ptr<Contact> contact_;
 };
 
+/// The stresses that are computed as arrays.
+inline constexpr std::array binary64_stresses{Quantity::sxx, Quantity::szz, Quantity::sxz,
+                                              Quantity::tau_max, Quantity::mises};
+
 /// The stresses at many points of a body, in units of the contact modulus. All arrays have the same
-/// size; `mises` is empty if the scene has no Poisson's ratio.
+/// size; that of mises is empty if the scene has no Poisson's ratio.
 struct Binary64Stresses {
-    std::span<double> sxx;
-    std::span<double> szz;
-    std::span<double> sxz;
-    std::span<double> tau_max;
-    std::span<double> mises;
+    std::array<std::span<double>, binary64_stresses.size()> of;
     std::span<double> bound; ///< of the error of each value at the point
 };
 

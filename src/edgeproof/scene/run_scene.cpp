@@ -32,16 +32,19 @@ std::vector<Row> asked_rows(const Scene& scene, const Plan& plan) {
         }
     }
     if (plan.partial_slip) {
-        add({Quantity::stick_a});
-        add({Quantity::stick_b});
-        add({Quantity::load_ratio});
-        if (ask.wants(QuantityGroup::slip) && scene.shear->bulk_tension.sign() != 0) {
-            add({Quantity::least_tension});
-            add({Quantity::most_tension});
-        }
-        for (const Quantity energy : {Quantity::step_energy, Quantity::cycle_energy}) {
-            if (ask.wants(QuantityGroup::slip) && !lack_of(scene, {energy})) {
-                add({energy});
+        const bool all = ask.wants(QuantityGroup::slip);
+        const bool tension = all && scene.shear->bulk_tension.sign() != 0;
+        const auto known = [&](Quantity energy) { return all && !lack_of(scene, {energy}); };
+        for (const auto& [quantity, wanted] :
+             {std::pair{Quantity::stick_a, true},
+              {Quantity::stick_b, true},
+              {Quantity::load_ratio, true},
+              {Quantity::least_tension, tension},
+              {Quantity::most_tension, tension},
+              {Quantity::step_energy, known(Quantity::step_energy)},
+              {Quantity::cycle_energy, known(Quantity::cycle_energy)}}) {
+            if (wanted) {
+                add({quantity});
             }
         }
     }
@@ -225,26 +228,15 @@ private:
                                  result_.at(Quantity::a).proved, route};
         }
     }
-    void search(const AskedValue& asked) {
-        const bool slips = row_of(asked.quantity).group == QuantityGroup::slip;
-        std::vector<Row> found;
-        if (slips || computes(asked.edge)) {
-            found = values_.search(asked);
-        } else {
-            for (const Row& row : result_.rows) {
-                const bool first = row.asked.quantity == Quantity::extent;
-                if (row_of(row.asked.quantity).group != QuantityGroup::extent ||
-                    row.asked.k != asked.k) {
-                    continue;
-                }
-                if (first && !found.empty()) {
-                    break; // the same number of terms was asked for twice
-                }
-                found.push_back(row);
-                found.back().asked.edge = asked.edge;
-            }
+    void search(AskedValue asked) {
+        const Edge edge = asked.edge;
+        if (row_of(asked.quantity).group == QuantityGroup::extent && !computes(edge)) {
+            asked.edge = scene_.ask.edges.front();
         }
-        std::ranges::move(found, std::back_inserter(result_.rows));
+        for (const Row& row : values_.search(asked)) {
+            result_.rows.push_back(row);
+            result_.rows.back().asked.edge = edge;
+        }
     }
     [[noreturn]] void refuse_in_body(const Row& row, const Error& error) const {
         const QuantityRow& def = row_of(row.asked.quantity);
@@ -326,8 +318,7 @@ int shear_half_powers(const Scene& scene) { return scene.together() ? 1 : -1; }
 
 bool covers_zone(const Scene& scene, const BoundedValue& first_exit) {
     const Ball& exit = first_exit.value;
-    return first_exit.proved ? certainly_less(ball_of(*scene.ask.process_zone, exit.bits()), exit)
-                             : exit.midpoint() >= scene.ask.process_zone->to<Real>();
+    return certainly_less(ball_of(*scene.ask.process_zone, exit.bits()), exit);
 }
 
 SceneResult run_scene(const Scene& scene, const RunProgress& progress) {

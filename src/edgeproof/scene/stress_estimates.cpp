@@ -218,14 +218,17 @@ std::optional<Estimate> revolution_estimate(const Scene& scene, const BallLevel&
 /// The proved values at some of the points.
 std::vector<double> proved_at(const Scene& scene, Quantity quantity, Body body,
                               std::span<const double> x, std::span<const double> z) {
-    std::vector<std::vector<double>> all(6, std::vector<double>(x.size()));
-    const bool mises = scene.poisson(body).has_value();
-    compute_binary64(
-        scene, body, x, z,
-        {all[0], all[1], all[2], all[3], mises ? std::span(all[4]) : std::span<double>(), all[5]});
-    const Quantity order[] = {Quantity::sxx, Quantity::szz, Quantity::sxz, Quantity::tau_max,
-                              Quantity::mises};
-    return all[static_cast<std::size_t>(std::ranges::find(order, quantity) - order)];
+    std::vector<double> wanted(x.size());
+    std::vector<double> others(x.size());
+    Binary64Stresses all{{}, others};
+    for (std::size_t k = 0; k < all.of.size(); ++k) {
+        all.of[k] = binary64_stresses[k] == quantity ? wanted : others;
+    }
+    if (!scene.poisson(body)) {
+        all.of.back() = {};
+    }
+    compute_binary64(scene, body, x, z, all);
+    return wanted;
 }
 
 } // namespace

@@ -28,21 +28,3 @@ TEST_CASE("units of a scene are labels") {
     CHECK(scene.load.value.rational() == 5); // not converted
     CHECK(made("hertz R=10 P=5 units.length=um").units->text() == "lengths in um");
 }
-
-TEST_CASE("Hertz by the radii: 1/R = 1/R1 + 1/R2; the flat and the contact by their widths") {
-    const auto curvature = [](const std::string& words) {
-        const Scene scene = made(words + " P=1");
-        CHECK(scene.profile->kind() == Profile::Kind::power_law);
-        CHECK(scene.profile->parameters().at("m").rational() == 1);
-        return scene.profile->parameters().at("C").rational();
-    };
-    CHECK(curvature("hertz R=100") == Rational(1, 100));
-    CHECK(curvature("hertz R1=10 R2=15") == Rational(1, 6));
-    CHECK(curvature("hertz R1=10 R2=-11") == Rational(1, 110));
-    CHECK(curvature("hertz R2=4") == Rational(1, 4));
-    CHECK(curvature("cylinder-on-flat R=3") == Rational(1, 3));
-    const Scene pad = made("flat-and-rounded flat_width=3 R=50 width=5");
-    CHECK(pad.profile->parameters().at("t").rational() == Rational(3, 2));
-    CHECK(pad.load.kind == Load::Kind::right_edge);
-    CHECK(pad.load.value.rational() == Rational(5, 2));
-}

@@ -173,8 +173,9 @@ Agreements held_against(std::vector<ReferenceOrWhy> found, const Answers& answer
             held.no_reference = std::move(found[i].why);
             if (found[i].reference) {
                 result.references[i] = std::move(*found[i].reference);
-                held.reference = printed_text(result.references[i].value,
-                                              {std::min(result.digits, 20U), Rounding::nearest});
+                held.reference = printed(result.references[i].value,
+                                         {std::min(result.digits, 20U), Rounding::nearest})
+                                     .text;
                 held.scale = scale_of(q, std::abs(s.force), s.a + s.b);
             } else {
                 const bool outside = q.u && !(held.nearness.edge > 0 && held.nearness.edge < 1);

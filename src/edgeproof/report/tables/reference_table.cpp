@@ -138,7 +138,7 @@ CellsByName cells_of(const conformance::AskedContact& contact, const conformance
         cells[key] = input_text(contact, key, digits);
     }
     if (reference.x) {
-        cells["x"] = printed_text(*reference.x, digits);
+        cells["x"] = printed(*reference.x, digits).text;
     }
     const scene::PrintedValue value = printed(reference.value, digits);
     cells["value"] = value.text;

@@ -59,40 +59,46 @@ private:
     std::set<std::string> names_;
 };
 
-ParametricSlope flat_and_rounded(const DesignFormulas& of) {
-    const Expr t = of.number("profile", "t");
-    const Expr rate = whole(1) / of.number("profile", "R");
-    const Expr rise = t / of.number("profile", "R");
-    const Expr zero = whole(0);
-    return {{.knots = {-t, zero, t},
-             .pieces = {{rise, rate}, {zero, zero}, {zero, zero}, {-rise, rate}},
-             .corners = {false, false, false},
-             .jumps = {},
-             .origin = 1},
-            true};
-}
+/// The pieces of g'; of a symmetric one those for x > 0.
+struct Pieces {
+    std::vector<Expr> knots;
+    std::vector<Expr> slopes;
+    bool symmetric = false;
+};
 
-ParametricSlope tilted_wedge(const DesignFormulas& of) {
-    const Expr phi = of.number("profile", "phi");
-    const Expr alpha = of.number("profile", "alpha");
-    return {{.knots = {whole(0)},
-             .pieces = {{-(phi + alpha), whole(0)}, {phi - alpha, whole(0)}},
-             .corners = {true},
-             .jumps = {}}};
-}
+/// A kind of profile that is made of a few numbers: its pieces as formulas in them.
+struct PiecesOfKind {
+    std::string_view kind;
+    std::vector<const char*> knots;
+    std::vector<const char*> slopes;
+    bool symmetric;
+};
 
-ParametricSlope tilted_flat_and_rounded(const DesignFormulas& of) {
-    const Expr alpha = of.number("profile", "alpha");
-    const Expr R = of.number("profile", "R");
-    const Expr two_t = whole(2) * of.number("profile", "t");
-    const Expr rate = whole(1) / R;
-    const Expr end = -(alpha * R);
-    const Expr zero = whole(0);
-    return {{.knots = {end - two_t, end, zero},
-             .pieces = {{two_t / R, rate}, {-alpha, zero}, {zero, rate}, {zero, rate}},
-             .corners = {false, false, false},
-             .jumps = {},
-             .origin = 2}};
+Pieces pieces_of(const DesignFormulas& of) {
+    static const std::vector<PiecesOfKind> kinds{
+        {"flat-and-rounded", {"t"}, {"0", "(x - t)/R"}, true},
+        {"tilted-wedge", {"0"}, {"-(phi + alpha)", "phi - alpha"}, false},
+        {"tilted-flat-and-rounded",
+         {"-alpha*R - 2*t", "-alpha*R", "0"},
+         {"(x + 2*t)/R", "-alpha", "x/R", "x/R"},
+         false}};
+    const auto row = std::ranges::find(kinds, of.kind(), &PiecesOfKind::kind);
+    if (row == kinds.end()) {
+        return {of.list("knots", false), of.list("slopes", true), of.flag("symmetric")};
+    }
+    const auto formulas = [&](const std::vector<const char*>& texts) {
+        std::vector<Expr> all;
+        for (const char* const text : texts) {
+            all.push_back(formula::parse(text, formula::Symbols{"x", "t", "R", "phi", "alpha"}));
+            for (const char* const key : {"t", "R", "phi", "alpha"}) {
+                if (const auto value = of.number_or_none("profile", key)) {
+                    all.back() = substitute(all.back(), key, *value);
+                }
+            }
+        }
+        return all;
+    };
+    return {formulas(row->knots), formulas(row->slopes), row->symmetric};
 }
 
 /// True if exact algebra shows that a formula in the parameter is zero for all its values.
@@ -110,49 +116,43 @@ std::size_t knots_before_origin(const std::vector<Expr>& knots, const std::strin
     }));
 }
 
-std::optional<ParametricSlope> piecewise(const DesignFormulas& of, const DesignScene& design,
-                                         std::string& why_not) {
-    std::vector<Expr> knots = of.list("knots", false);
-    std::vector<ParametricSlope::Piece> pieces;
-    for (const Expr& slope : of.list("slopes", true)) {
+std::optional<ParametricSlope> slope_of(const Pieces& given, const DesignScene& design,
+                                        std::string& why_not) {
+    ParametricSlope s;
+    s.symmetric = given.symmetric;
+    for (const Expr& slope : given.slopes) {
         const auto linear = contact::as_linear(slope, "x");
         if (!linear) {
             why_not = "a piece of the slope is curved: enclosures over a range of the parameter "
                       "are known for piecewise linear slopes, power laws and full stick";
             return {};
         }
-        pieces.push_back({linear->at_origin, linear->rate});
+        s.pieces.push_back({linear->at_origin, linear->rate});
     }
-    ParametricSlope s;
-    s.symmetric = of.flag("symmetric");
+    s.knots = given.knots;
     if (s.symmetric) {
-        std::vector<Expr> all;
-        std::vector<ParametricSlope::Piece> both;
-        for (std::size_t i = knots.size(); i-- > 0;) {
-            all.push_back(-knots[i]);
+        s.origin = s.knots.size();
+        s.knots.insert(s.knots.begin(), whole(0));
+        for (const Expr& knot : given.knots) {
+            s.knots.insert(s.knots.begin(), -knot);
         }
-        s.origin = all.size();
-        all.push_back(whole(0));
-        all.insert(all.end(), knots.begin(), knots.end());
-        for (std::size_t i = pieces.size(); i-- > 0;) {
-            both.push_back({-pieces[i].at_origin, pieces[i].rate});
+        const std::vector<ParametricSlope::Piece> right = s.pieces;
+        for (const auto& [at_origin, rate] : right) {
+            s.pieces.insert(s.pieces.begin(), {-at_origin, rate});
         }
-        both.insert(both.end(), pieces.begin(), pieces.end());
-        s.knots = std::move(all);
-        s.pieces = std::move(both);
     } else {
-        s.origin = knots_before_origin(knots, design.parameter, design.range.from);
-        if (s.origin != knots_before_origin(knots, design.parameter, design.range.to)) {
-            why_not = "a knot passes the origin within the range";
-            return {};
+        s.origin = static_cast<std::size_t>(std::ranges::find_if(s.knots, identically_zero) -
+                                            s.knots.begin());
+        if (s.origin == s.knots.size()) {
+            s.origin = knots_before_origin(s.knots, design.parameter, design.range.from);
+            if (s.origin != knots_before_origin(s.knots, design.parameter, design.range.to)) {
+                why_not = "a knot passes the origin within the range";
+                return {};
+            }
+            const auto at = static_cast<std::ptrdiff_t>(s.origin);
+            s.pieces.insert(s.pieces.begin() + at, s.pieces[s.origin]);
+            s.knots.insert(s.knots.begin() + at, whole(0));
         }
-        const auto at = static_cast<std::ptrdiff_t>(s.origin);
-        if (s.origin == knots.size() || !identically_zero(knots[s.origin])) {
-            pieces.insert(pieces.begin() + at, pieces[s.origin]);
-            knots.insert(knots.begin() + at, whole(0));
-        }
-        s.knots = std::move(knots);
-        s.pieces = std::move(pieces);
     }
     for (std::size_t i = 0; i < s.knots.size(); ++i) {
         const auto value = [&](const ParametricSlope::Piece& p) {
@@ -186,24 +186,21 @@ std::vector<std::unique_ptr<contact::ErrorFamily>> DesignScene::errors(std::stri
     question.terms = terms;
     question.unit = unit;
     const DesignFormulas of(*top_, parameter);
-    const std::string kind = of.kind();
     std::vector<std::unique_ptr<contact::ErrorFamily>> all;
     const auto load = load_of(of, why_not);
     if (!load) {
         return all;
     }
-    const bool symmetric_kind = kind == "power-law" || kind == "flat-and-rounded" ||
-                                (kind == "piecewise" && of.flag("symmetric"));
+    const Profile profile = *at(range.from).profile;
+    const bool power_law = profile.kind() == Profile::Kind::power_law; // cylinders and wedges, too
+    const Pieces pieces = power_law ? Pieces{{}, {}, true} : pieces_of(of);
     std::optional<Expr> length;
-    if (symmetric_kind && load->a) {
+    if (pieces.symmetric && load->a) {
         length = whole(2) * *load->a;
     }
     std::optional<ParametricSlope> slope;
-    if (!shear && kind != "power-law") {
-        slope = kind == "flat-and-rounded"          ? std::optional(flat_and_rounded(of))
-                : kind == "tilted-wedge"            ? std::optional(tilted_wedge(of))
-                : kind == "tilted-flat-and-rounded" ? std::optional(tilted_flat_and_rounded(of))
-                                                    : piecewise(of, *this, why_not);
+    if (!shear && !power_law) {
+        slope = slope_of(pieces, *this, why_not);
         if (!slope) {
             return all;
         }
@@ -224,13 +221,15 @@ std::vector<std::unique_ptr<contact::ErrorFamily>> DesignScene::errors(std::stri
             all.push_back(contact::full_stick_errors(
                 of.number_or_none("shear", "Q").value_or(whole(0)),
                 of.number_or_none("shear", "bulk_tension").value_or(whole(0)), *length, question));
-        } else if (kind == "power-law") {
+        } else if (power_law) {
             if (unit == contact::ReachUnit::distance && !load->a) {
                 why_not = "the half-width of a power law under a given load is not enclosed over a "
                           "range of the parameter: give a, or unit = \"fraction\"";
                 return {};
             }
-            all.push_back(contact::power_law_errors(of.number("profile", "m"), load->a, question));
+            all.push_back(contact::power_law_errors(
+                of.number_or_none("profile", "m").value_or(profile.parameters().at("m").expr()),
+                load->a, question));
         } else {
             all.push_back(contact::linear_slope_errors(*slope, *load, question));
         }

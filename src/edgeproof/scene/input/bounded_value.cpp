@@ -57,19 +57,6 @@ std::string how(const BoundedValue& x, const PrintedValue& p) {
     return x.how() + (p.undecided ? " (rounding undecided)" : "");
 }
 
-std::string printed_text(const BoundedValue& x, const Digits& digits) {
-    if (x.exactly) {
-        return round_rational(*x.exactly, digits.count, digits.rounding).text;
-    }
-    if (!contains_zero(x.value)) {
-        Rounded r = round_ball(x.value, digits.count, digits.rounding);
-        if (r.complete) {
-            return r.text;
-        }
-    }
-    return printed(x, digits).text;
-}
-
 PrintedValue printed(const BoundedValue& x, const Digits& digits) {
     PrintedValue p;
     if (x.exactly) {

@@ -55,7 +55,6 @@ struct PrintedValue {
 
 /// Formats a value as one number. Rounded to nearest, it is "0" if the ball contains zero.
 [[nodiscard]] PrintedValue printed(const BoundedValue& x, const Digits& digits);
-[[nodiscard]] std::string printed_text(const BoundedValue& x, const Digits& digits);
 
 /// Formats an exact number that is in no text of the user, such as a point of a range: its decimal,
 /// if that has no more digits than requested, else rounded; with `exact`, its own text.

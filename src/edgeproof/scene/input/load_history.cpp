@@ -15,7 +15,10 @@ namespace edgeproof::scene {
 
 namespace {
 
+using Layer = LoadHistory::Layer;
+
 int sign_of_expr(const Expr& e) { return Exact(e).sign(); }
+bool same(const Expr& x, const Expr& y) { return sign_of_expr(x - y) == 0; }
 
 class History {
 public:
@@ -30,10 +33,10 @@ public:
         const Expr excess = (direction < 0 ? -dQ : dQ) - f_ * dP;
         if (grows > 0 && sign_of_expr(excess) <= 0) {
             add(P, dQ / dP); // every new place sticks from its first contact
-            entries_.push_back({P, layers_});
+            entries_.push_back({Exact(P), layers_});
         } else if (grows > 0) {
             slip(P, Q, direction);
-            entries_.push_back({P, {}});
+            entries_.push_back({Exact(P), {}});
         } else {
             remove_above(layers_, P);
             remove_above(entries_, P);
@@ -61,8 +64,8 @@ public:
         Expr inner = P_;
         Expr limit = zero_; // the ratio of what slips
         for (std::size_t j = layers_.size(); j-- > 0;) {
-            const Expr& ratio = layers_[j].second;
-            const Expr bottom = j > 0 ? layers_[j - 1].first : zero_;
+            const Expr& ratio = layers_[j].ratio.expr();
+            const Expr bottom = j > 0 ? layers_[j - 1].force.expr() : zero_;
             const bool slips = sign_of_expr(force - inner) > 0;
             if (!slips) {
                 const int sign = grows > 0 ? direction : sign_of_expr(dQ - ratio * dP);
@@ -77,7 +80,7 @@ public:
                 }
                 limit = sign > 0 ? f_ : -f_;
             }
-            if (sign_of_expr(ratio - limit) == 0) {
+            if (same(ratio, limit)) {
                 inner = bottom; // it has this ratio already
                 continue;
             }
@@ -86,7 +89,7 @@ public:
             End end = End::step;
             Expr time = left;
             const auto ends_at = [&](const Expr& t, End which) {
-                if (sign_of_expr(t - time) < 0) {
+                if (is_less(t, time)) {
                     time = t;
                     end = which;
                 }
@@ -114,42 +117,35 @@ public:
     }
     /// True if P, Q and the layers are those of the other state.
     [[nodiscard]] bool equals(const History& other) const {
-        const auto same = [](const Expr& x, const Expr& y) { return sign_of_expr(x - y) == 0; };
         return same(P_, other.P_) && same(Q_, other.Q_) &&
-               std::ranges::equal(layers_, other.layers_, [&](const auto& x, const auto& y) {
-                   return same(x.first, y.first) && same(x.second, y.second);
+               std::ranges::equal(layers_, other.layers_, [](const Layer& x, const Layer& y) {
+                   return same(x.force.expr(), y.force.expr()) &&
+                          same(x.ratio.expr(), y.ratio.expr());
                });
     }
     [[nodiscard]] LoadHistory state() const {
-        LoadHistory state;
-        for (const auto& [force, ratio] : layers_) {
-            state.layers.push_back({Exact(force), Exact(ratio)});
-        }
-        if (stick_) {
-            state.stick = Exact(*stick_);
-        }
+        LoadHistory state{layers_, stick_, {}, {}};
         for (const auto& [force, then] : entries_) {
             state.entries.push_back(
-                {Exact(force), then ? std::optional(change_since(*then, force)) : std::nullopt});
+                {force, then ? std::optional(change_since(*then, force.expr())) : std::nullopt});
         }
         return state;
     }
 
 private:
-    using Layers = std::vector<std::pair<Expr, Expr>>; ///< force, ratio
-    /// The force of each entry, and the layers at its end, unless the edges slipped.
-    using Entries = std::vector<std::pair<Expr, std::optional<Layers>>>;
+    using Layers = std::vector<Layer>;
+    /// The force of an entry, and the layers at its end, unless the edges slipped.
+    struct Entry {
+        Exact force;
+        std::optional<Layers> then;
+    };
 
     [[nodiscard]] static LoadHistory::Phase phase(const Expr& inner_from, const Expr& inner_to,
                                                   const Expr& force_from, const Expr& force_to,
                                                   const Expr& change) {
         std::vector<Expr> cuts{inner_from, inner_to, force_from, force_to};
-        std::ranges::sort(cuts,
-                          [](const Expr& x, const Expr& y) { return sign_of_expr(x - y) < 0; });
-        cuts.erase(
-            std::unique(cuts.begin(), cuts.end(),
-                        [](const Expr& x, const Expr& y) { return sign_of_expr(x - y) == 0; }),
-            cuts.end());
+        std::ranges::sort(cuts, is_less);
+        cuts.erase(std::unique(cuts.begin(), cuts.end(), same), cuts.end());
         LoadHistory::Phase phase{Exact(inner_from), Exact(inner_to), Exact(force_from),
                                  Exact(force_to),   Exact(change),   {}};
         for (const Expr& cut : cuts) {
@@ -158,33 +154,32 @@ private:
         return phase;
     }
     void add(const Expr& force, const Expr& ratio) {
-        if (!layers_.empty() && sign_of_expr(layers_.back().second - ratio) == 0) {
-            layers_.back().first = force;
+        if (!layers_.empty() && same(layers_.back().ratio.expr(), ratio)) {
+            layers_.back().force = Exact(force);
         } else {
-            layers_.emplace_back(force, ratio);
+            layers_.push_back({Exact(force), Exact(ratio)});
         }
     }
     template <class List> void remove_above(List& list, const Expr& P) const {
         while (!list.empty() &&
-               sign_of_expr((list.size() > 1 ? list[list.size() - 2].first : zero_) - P) >= 0) {
+               !is_less(list.size() > 1 ? list[list.size() - 2].force.expr() : zero_, P)) {
             list.pop_back();
         }
         if (!list.empty()) {
-            list.back().first = P;
+            list.back().force = Exact(P);
         }
     }
     /// Returns the ratios of today minus those of `then`, up to the force `end`.
-    [[nodiscard]] std::vector<LoadHistory::Layer> change_since(const Layers& then,
-                                                               const Expr& end) const {
-        std::vector<LoadHistory::Layer> change;
+    [[nodiscard]] Layers change_since(const Layers& then, const Expr& end) const {
+        Layers change;
         const auto covers = [](const auto& layer, const Expr& L) {
-            return sign_of_expr(layer->first - L) > 0;
+            return is_less(L, layer->force.expr());
         };
         Expr from = zero_;
-        for (auto old = then.begin(), now = layers_.begin(); sign_of_expr(end - from) > 0;) {
-            const Expr& inner = covers(old, now->first) ? now->first : old->first;
-            const Expr next = sign_of_expr(inner - end) < 0 ? inner : end;
-            change.push_back({Exact(next), Exact(now->second - old->second)});
+        for (auto old = then.begin(), now = layers_.begin(); is_less(from, end);) {
+            const Exact& inner = covers(old, now->force.expr()) ? now->force : old->force;
+            const Expr next = is_less(inner.expr(), end) ? inner.expr() : end;
+            change.push_back({Exact(next), Exact(now->ratio.expr() - old->ratio.expr())});
             from = next;
             old += covers(old, from) ? 0 : 1;
             now += covers(now, from) ? 0 : 1;
@@ -196,8 +191,8 @@ private:
         Expr Q = zero_;
         Expr from = zero_;
         for (const auto& [force, ratio] : layers_) {
-            Q = Q + ratio * (force - from);
-            from = force;
+            Q = Q + ratio.expr() * (force.expr() - from);
+            from = force.expr();
         }
         return Q;
     }
@@ -209,22 +204,23 @@ private:
         Expr from = zero_;
         Layers kept;
         Expr stuck = zero_;
-        for (const auto& [force, ratio] : layers_) {
-            const Expr next = missing + (ratio - limit) * (force - from);
+        for (const Layer& layer : layers_) {
+            const Expr& ratio = layer.ratio.expr();
+            const Expr next = missing + (ratio - limit) * (layer.force.expr() - from);
             if (sign_of_expr(next) != sign) {
                 stuck = from + missing / (limit - ratio);
                 break;
             }
-            kept.emplace_back(force, ratio);
+            kept.push_back(layer);
             missing = next;
-            from = stuck = force;
+            from = stuck = layer.force.expr();
         }
-        if (sign_of_expr(stuck - from) > 0) {
-            kept.emplace_back(stuck, layers_[kept.size()].second);
+        if (is_less(from, stuck)) {
+            kept.push_back({Exact(stuck), layers_[kept.size()].ratio});
         }
         layers_ = std::move(kept);
         add(P, limit);
-        stick_ = stuck;
+        stick_ = Exact(stuck);
     }
 
     Expr f_;
@@ -232,8 +228,8 @@ private:
     Expr P_ = Expr::number(Rational(0));
     Expr Q_ = Expr::number(Rational(0));
     Layers layers_;
-    Entries entries_;
-    std::optional<Expr> stick_;
+    std::vector<Entry> entries_;
+    std::optional<Exact> stick_;
 };
 
 constexpr long most_cycles = 1000;

@@ -136,122 +136,99 @@ double scale_of(const AskedValue& asked, double force, double length) {
     return power < 0 ? unit / std::pow(length, -power) : unit * std::pow(length, power);
 }
 
+namespace {
+
+/// A condition under which something lacks.
+struct LackIf {
+    bool lacks;
+    Lack what;
+};
+std::optional<Lack> first_of(const std::vector<LackIf>& conditions) {
+    const auto found = std::ranges::find(conditions, true, &LackIf::lacks);
+    return found == conditions.end() ? std::nullopt : std::optional(found->what);
+}
+
+} // namespace
+
 std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
     using Needs = QuantityRow::Needs;
+    const QuantityRow& row = row_of(asked.quantity);
     const bool unnamed = symbol_of(asked).empty(); // in recipes
-    const std::string symbol =
-        unnamed ? std::string(row_of(asked.quantity).name) : symbol_of(asked);
-    const auto lack = [&](const char* problem, const std::string& instead) {
-        return Lack{symbol + " is requested, but " + problem,
-                    instead + (instead.empty() ? "" : ", or ") + "leave " + symbol + " out"};
-    };
-    const Needs needs = row_of(asked.quantity).needs;
-    if (needs == Needs::shear && !scene.shear) {
-        return lack("there is no shear", "add Q or bulk_tension");
+    const std::string symbol = unnamed ? std::string(row.name) : symbol_of(asked);
+    const Needs needs = row.needs;
+    const bool plane = needs == Needs::plane || needs == Needs::reference || needs == Needs::cycle;
+    const bool poisson = scene.poisson(asked.in_body ? asked.in_body->body : Body::A).has_value();
+    const bool rubbed = row.of_friction();
+    const bool energy = needs == Needs::friction_alone || needs == Needs::history;
+    const bool curved = rubbed && energy && !scene.round && !scene.closed();
+    auto lack = first_of({
+        {needs == Needs::shear && !scene.shear, {"there is no shear", "add Q or bulk_tension"}},
+        {needs == Needs::unknown_tilt && !scene.punch,
+         {"is not an unknown of the scene", "give P and M and no " + symbol}},
+        {needs == Needs::reference && !asked.reference,
+         {"there is no place without displacement", "give a reference"}},
+        {plane && scene.round, {"the contact is axisymmetric", ""}},
+        {scene.curved_body() && row.group == QuantityGroup::extent,
+         {"it is not computed for curved slopes of revolution", ""}},
+        {needs == Needs::round && !scene.round,
+         {"the contact is plane, where the approach is undetermined", ""}},
+        {(needs == Needs::poisson || needs == Needs::reference) && !poisson,
+         {"there is no Poisson's ratio", "add nu to [load]"}},
+        {rubbed && !scene.slips(), {"there is no friction", "add friction"}},
+        {(needs == Needs::friction_alone || needs == Needs::cycle) && scene.slips() &&
+             scene.shear->bulk_tension.sign() != 0,
+         {"there is a bulk tension", "leave bulk_tension out"}},
+        {rubbed && (row.searched || needs == Needs::cycle) && scene.history,
+         {"is not computed for load histories", ""}},
+        {needs == Needs::history && !scene.history,
+         {"there are no steps", "add [[step]] sections with P and Q"}},
+        {asked.quantity == Quantity::cycle_energy && scene.history && !scene.history->pass,
+         {"the last step is not the end of a cycle",
+          "add cycles = 2 to the [[step]] with which the cycle begins"}},
+        {energy && scene.history && scene.round,
+         {"is not computed for load histories of axisymmetric contacts", ""}},
+        {needs == Needs::friction_alone && scene.round && !scene.poisson(Body::A),
+         {"there is no Poisson's ratio", "add nu to [load]"}},
+        {curved && !scene.symmetric(),
+         {"is not computed for curved slopes that are not symmetric", ""}},
+        {curved && scene.symmetric() &&
+             contact::AxisymmetricContact::not_analytic_at(*scene.profile),
+         {"is not computed where g' is not analytic at the end of a piece", ""}},
+    });
+    if (lack) {
+        lack->problem = symbol + " is requested, but " + lack->problem;
+        lack->instead += (lack->instead.empty() ? "leave " : ", or leave ") + symbol + " out" +
+                         (needs == Needs::unknown_tilt ? " of the quantities" : "");
     }
-    if (needs == Needs::unknown_tilt && !scene.punch) {
-        Lack none = lack("is not an unknown of the scene", "give P and M and no " + symbol);
-        none.instead += " of the quantities";
-        return none;
-    }
-    if (needs == Needs::reference && !asked.reference) {
-        return lack("there is no place without displacement", "give a reference");
-    }
-    if ((needs == Needs::plane || needs == Needs::reference || needs == Needs::cycle) &&
-        scene.round) {
-        return lack("the contact is axisymmetric", "");
-    }
-    if (scene.curved_body() && row_of(asked.quantity).group == QuantityGroup::extent) {
-        return lack("it is not computed for curved slopes of revolution", "");
-    }
-    if (needs == Needs::round && !scene.round) {
-        return lack("the contact is plane, where the approach is undetermined", "");
-    }
-    if ((needs == Needs::poisson || needs == Needs::reference) &&
-        !scene.poisson(asked.in_body ? asked.in_body->body : Body::A)) {
-        return lack("there is no Poisson's ratio", "add nu to [load]");
-    }
-    if (!row_of(asked.quantity).of_friction()) {
-        return {};
-    }
-    if (!scene.slips()) {
-        return lack("there is no friction", "add friction");
-    }
-    if ((needs == Needs::friction_alone || needs == Needs::cycle) &&
-        scene.shear->bulk_tension.sign() != 0) {
-        return lack("there is a bulk tension", "leave bulk_tension out");
-    }
-    if ((row_of(asked.quantity).searched || needs == Needs::cycle) && scene.history) {
-        return lack("is not computed for load histories", "");
-    }
-    if (needs == Needs::history && !scene.history) {
-        return lack("there are no steps", "add [[step]] sections with P and Q");
-    }
-    if (asked.quantity == Quantity::cycle_energy && scene.history && !scene.history->pass) {
-        return lack("the last step is not the end of a cycle",
-                    "add cycles = 2 to the [[step]] with which the cycle begins");
-    }
-    if (scene.history && scene.round &&
-        (needs == Needs::friction_alone || needs == Needs::history)) {
-        return lack("is not computed for load histories of axisymmetric contacts", "");
-    }
-    if (needs == Needs::friction_alone && scene.round && !scene.poisson(Body::A)) {
-        return lack("there is no Poisson's ratio", "add nu to [load]");
-    }
-    if ((needs == Needs::friction_alone || needs == Needs::history) && !scene.round &&
-        scene.profile && !scene.profile->has_closed_form()) {
-        if (!scene.profile->symmetric()) {
-            return lack("is not computed for curved slopes that are not symmetric", "");
-        }
-        if (contact::AxisymmetricContact::not_analytic_at(*scene.profile)) {
-            return lack("is not computed where g' is not analytic at the end of a piece", "");
-        }
-    }
-    return {};
+    return lack;
 }
 
 std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
-    const std::string problem = std::string(group.name) + " is requested, but there is no ";
-    if (group.shear && !scene.shear) {
-        return Lack{problem + "[shear]", "add [shear] with Q or bulk_tension"};
+    const std::string name(group.name);
+    const std::string problem = name + " is requested, but there is no ";
+    const bool round_stress = scene.round && group.group == QuantityGroup::stress;
+    const auto lack = first_of({
+        {group.shear && !scene.shear, {problem + "[shear]", "add [shear] with Q or bulk_tension"}},
+        {group.friction && !scene.slips(),
+         {problem + "friction", "add friction = \"0.6\" to [shear]"}},
+        {scene.curved_body() && group.group == QuantityGroup::extent,
+         {name + " is not computed for curved slopes of revolution",
+          "give a power law or a piecewise linear g'"}},
+        {scene.curved_body() && group.group == QuantityGroup::slip && scene.ask.tolerance,
+         {"how far n terms of the slip zone are good is not computed for curved slopes of "
+          "revolution",
+          "leave tolerance out"}},
+        {round_stress && scene.shear,
+         {name + " of an axisymmetric contact is computed without shear", "leave [shear] out"}},
+        {round_stress && !scene.poisson(Body::A),
+         {problem + "Poisson's ratio", "add nu = \"0.3\" to [load]"}},
+    });
+    if (lack || group.group != QuantityGroup::surface) {
+        return lack;
     }
-    if (group.friction && !scene.slips()) {
-        return Lack{problem + "friction", "add friction = \"0.6\" to [shear]"};
-    }
-    if (scene.curved_body() && group.group == QuantityGroup::extent) {
-        return Lack{std::string(group.name) + " is not computed for curved slopes of revolution",
-                    "give a power law or a piecewise linear g'"};
-    }
-    if (group.group == QuantityGroup::surface) {
-        AskedValue displacement{.quantity = Quantity::ux, .reference = scene.ask.reference};
-        displacement.in_body = BodyPoint{{}, {}, scene.ask.surface_of};
-        if (auto lack = lack_of(scene, displacement)) {
-            return lack;
-        }
-    }
-    if (scene.curved_body() && group.group == QuantityGroup::slip && scene.ask.tolerance) {
-        return Lack{
-            "how far n terms of the slip zone are good is not computed for curved slopes of "
-            "revolution",
-            "leave tolerance out"};
-    }
-    if (!group.of_bodies) {
-        return {};
-    }
-    if (scene.round && group.group == QuantityGroup::displacement) {
-        return {}; // the gap
-    }
-    if (scene.round && scene.shear) {
-        return Lack{std::string(group.name) +
-                        " of an axisymmetric contact is computed without shear",
-                    "leave [shear] out"};
-    }
-    if (scene.round) {
-        return scene.poisson(Body::A)
-                   ? std::nullopt
-                   : std::optional(Lack{problem + "Poisson's ratio", "add nu = \"0.3\" to [load]"});
-    }
-    return {};
+    AskedValue displacement{.quantity = Quantity::ux, .reference = scene.ask.reference};
+    displacement.in_body = BodyPoint{{}, {}, scene.ask.surface_of};
+    return lack_of(scene, displacement);
 }
 
 std::string group_name(QuantityGroup group) {

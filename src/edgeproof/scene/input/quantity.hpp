@@ -22,23 +22,21 @@ class ExactValues;
 /// A number that a scene can be asked for. quantity_rows.cpp has a row for each; scenes, recipes,
 /// questions to other programs, hard cases, tables and reports use these rows.
 enum class Quantity {
-    p,        ///< pressure at a point
-    q,        ///< shear traction at a point
-    c,        ///< c_k of u^(k + 1/2) in p at an edge
-    s,        ///< s_k of q at an edge, from its lowest power on; s_0 under full stick is K_II
-    a,        ///< distance of the right edge from the origin
-    b,        ///< distance of the left edge
-    P,        ///< normal force per unit length
-    M,        ///< moment per unit length
-    alpha,    ///< tilt, where P and M are given
-    extent,   ///< the first u at which the error of k terms is the tolerance
-    measure,  ///< the total length of the places where the error of k terms is within the tolerance
-    slip,     ///< the size of the slip zone at an edge, with friction
-    stick_a,  ///< distance of the right edge of the stick zone from the origin
-    stick_b,  ///< distance of its left edge
-    residual, ///< 1 - (the first k terms)/p at a point, with its sign
-    tilt_difference, ///< p at a point minus p of the same profile and a without tilt
-    p_max,           ///< the greatest pressure
+    p,       ///< pressure at a point
+    q,       ///< shear traction at a point
+    c,       ///< c_k of u^(k + 1/2) in p at an edge
+    s,       ///< s_k of q at an edge, from its lowest power on; s_0 under full stick is K_II
+    a,       ///< distance of the right edge from the origin
+    b,       ///< distance of the left edge
+    P,       ///< normal force per unit length
+    M,       ///< moment per unit length
+    alpha,   ///< tilt, where P and M are given
+    extent,  ///< the first u at which the error of k terms is the tolerance
+    measure, ///< the total length of the places where the error of k terms is within the tolerance
+    slip,    ///< the size of the slip zone at an edge, with friction
+    stick_a, ///< distance of the right edge of the stick zone from the origin
+    stick_b, ///< distance of its left edge
+    p_max,   ///< the greatest pressure
     cycle_energy, ///< energy dissipated by friction in a cycle of Q at constant P, or in the last
                   ///< pass of the steps of a history, without a bulk tension
     x,            ///< coordinate of a point
@@ -116,10 +114,8 @@ struct AskedValue {
     [[nodiscard]] Distance distance() const { return place ? *place : Distance(*u); }
 };
 
-struct QuantityRow {
-    /// The places of the values: one per contact, one at each edge, one at each point of the
-    /// contact, one at each point of a body, one at each place x of the surface.
-    enum class Place { contact, edge, point, body, surface };
+/// What differs from row to row of the quantities, and mostly has these values.
+struct QuantityOptions {
     /// The meaning of k of an AskedValue.
     enum class Index { none, order, terms };
     enum class Needs {
@@ -135,36 +131,14 @@ struct QuantityRow {
         plane,
         round
     };
-
-    Quantity quantity;
-    /// The name in recipes, questions, answers and headers of columns, without the index ("c" of
-    /// c_1); empty: the quantity has no name there.
-    std::string_view symbol;
-    std::string_view name; ///< in words, as in files of hard cases
-    QuantityGroup group = QuantityGroup::contact;
-    Place place = Place::contact;
     Index index = Index::none;
     Needs needs = Needs::nothing;
     bool tolerance = false; ///< the quantity depends on a tolerance
-    /// The unit is force per length to the power force_power, times length to the power
-    /// length_power; for a coefficient of order k, also times length^(-k).
-    int force_power = 0;
-    double length_power = 0;
     /// The explanation after the symbol in the notes of a table; empty: the tables explain the
     /// symbol themselves.
     std::string_view meaning = {};
     /// The name in messages, and of the column of a quantity without a symbol (without the index).
     std::string_view label = {};
-
-    // The evaluators. Without `ball`, the caller computes the value from others. A level computes
-    // the value at more and more bits until it has its digits; a ball that is not finite means that
-    // the bits do not suffice. Without an exact form, no number of bits may decide the rounding of
-    // a value on a limit; such a value is printed as its enclosure.
-    Ball (*ball)(BallLevel&, const AskedValue&) = nullptr;
-    Form (*exact)(ExactValues&, const AskedValue&) = nullptr;
-    /// The name of the route of a value in balls; `route_by` if it depends on the scene.
-    const char* route = "";
-    const char* (*route_by)(const Scene&) = nullptr;
     /// The value, if the scene gives it; otherwise null.
     const Exact* (*given)(const Scene&) = nullptr;
     /// The edge whose distance from the origin the quantity is.
@@ -174,6 +148,34 @@ struct QuantityRow {
     bool searched = false;
     bool short_error = false;    ///< a relative error: see digits_of()
     bool may_be_missing = false; ///< a failure to find the value leaves it out; it is no error
+};
+
+struct QuantityRow : QuantityOptions {
+    /// The places of the values: one per contact, one at each edge, one at each point of the
+    /// contact, one at each point of a body, one at each place x of the surface.
+    enum class Place { contact, edge, point, body, surface };
+
+    Quantity quantity;
+    /// The name in recipes, questions, answers and headers of columns, without the index ("c" of
+    /// c_1); empty: the quantity has no name there.
+    std::string_view symbol;
+    std::string_view name; ///< in words, as in files of hard cases
+    QuantityGroup group;
+    Place place;
+    /// The unit is force per length to the power force_power, times length to the power
+    /// length_power; for a coefficient of order k, also times length^(-k).
+    int force_power;
+    double length_power;
+
+    // The evaluators; null for a quantity that is searched for. A level computes the value at more
+    // and more bits until it has its digits; a ball that is not finite means that the bits do not
+    // suffice. Without an exact form, no number of bits may decide the rounding of a value on a
+    // limit; such a value is printed as its enclosure.
+    Ball (*ball)(BallLevel&, const AskedValue&);
+    Form (*exact)(ExactValues&, const AskedValue&);
+    /// The name of the route of a value in balls; `route_by` if it depends on the scene.
+    const char* route;
+    const char* (*route_by)(const Scene&);
 
     [[nodiscard]] const char* route_in(const Scene& scene) const {
         return route_by != nullptr ? route_by(scene) : route;
@@ -192,8 +194,6 @@ struct QuantityRow {
 
 [[nodiscard]] std::span<const QuantityRow> quantity_rows();
 [[nodiscard]] const QuantityRow& row_of(Quantity quantity);
-/// Like row_of, but throws Error for a quantity without evaluators.
-[[nodiscard]] const QuantityRow& evaluated_row(Quantity quantity);
 
 /// The digits of a quantity where these are asked for: 20 at most of a relative error.
 [[nodiscard]] Digits digits_of(Quantity quantity, const Digits& asked);
@@ -238,7 +238,6 @@ struct GroupRow {
     bool friction = false;
     bool terms = false;
     bool tolerance = false;
-    bool of_bodies = false;           ///< its values belong to a place of a body
     std::string_view incomplete = {}; ///< the message if terms or tolerance are not given
     std::string_view instead = {};
 };

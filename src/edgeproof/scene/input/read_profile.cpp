@@ -239,19 +239,16 @@ namespace {
 constexpr long bits_of_size = 64;
 constexpr std::size_t most_shown = 60;
 
+/// Of what defines a contact.
 const Rational& largest_size() {
     static const Rational q = parse_decimal("1e10000");
-    return q;
-}
-const Rational& smallest_size() {
-    static const Rational q = parse_decimal("1e-10000");
     return q;
 }
 
 bool numbers_in_range(const Expr& e) {
     if (const Rational* q = e.rational()) {
         const Rational size = abs(*q);
-        return size == 0 || (smallest_size() <= size && size <= largest_size());
+        return size == 0 || (1 / largest_size() <= size && size <= largest_size());
     }
     return std::ranges::all_of(e.args(), numbers_in_range);
 }
@@ -259,15 +256,9 @@ bool numbers_in_range(const Expr& e) {
 /// False only where the value is proved to be beyond the range.
 bool value_in_range(const Expr& e) {
     const auto x = formula::enclose(e, bits_of_size);
-    if (!x) {
-        return true;
-    }
-    const PrecisionScope scope(30);
-    const Real largest = from_rational<Real>(largest_size());
-    const Real smallest = from_rational<Real>(smallest_size());
-    const bool is_larger = x->lower() > largest || x->upper() < -largest;
-    const bool is_smaller = !contains_zero(*x) && abs(*x).upper() < smallest;
-    return !is_larger && !is_smaller;
+    const Ball largest(largest_size(), bits_of_size);
+    return !x || (!certainly_less(largest, abs(*x)) &&
+                  (contains_zero(*x) || !certainly_less(abs(*x) * largest, Ball(1, bits_of_size))));
 }
 
 } // namespace

@@ -86,6 +86,15 @@ void read_sections(const io::TomlSection& top, Scene& scene, bool within_limits 
     }
 }
 
+/// Returns f(); an error in keys that are in no file names none.
+template <class F> auto without_line_0(const F& f) {
+    try {
+        return f();
+    } catch (const InputError& error) {
+        throw error.line() != 0 ? error : InputError(error.problem(), error.instead());
+    }
+}
+
 std::string toml_string(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) {
@@ -157,11 +166,7 @@ Scene read_contact(const io::TomlSection& top) {
 
 Scene contact_with_keys(const std::vector<io::TomlTable>& tables) {
     Scene scene;
-    try {
-        read_sections(io::TomlSection::made(tables, ""), scene, false);
-    } catch (const InputError& error) {
-        throw InputError(error.problem(), error.instead()); // without the line 0
-    }
+    without_line_0([&] { read_sections(io::TomlSection::made(tables, ""), scene, false); });
     return scene;
 }
 
@@ -188,14 +193,8 @@ Scene parse_scene(std::string_view text, const std::string& file,
     if (!instead.empty() && !text.empty()) { // keys of [ask] would hide another kind of file
         expect_file_kind(io::TomlSection::parse(text, file), FileKind::scene);
     }
-    try {
-        return scene_of(io::TomlSection::parse(text, file, instead));
-    } catch (const InputError& error) {
-        if (instead.empty() || error.line() != 0) {
-            throw;
-        }
-        throw InputError(error.problem(), error.instead());
-    }
+    const auto read = [&] { return scene_of(io::TomlSection::parse(text, file, instead)); };
+    return instead.empty() ? read() : without_line_0(read);
 }
 
 Scene read_scene(const std::filesystem::path& file, const std::vector<io::TomlTable>& instead) {
@@ -252,13 +251,9 @@ Scene make_scene(const std::vector<io::TomlTable>& tables, const std::string& ti
             given.push_back(table);
         }
     }
-    try {
-        Scene scene = scene_of(io::TomlSection::made(given, ""));
-        scene.title = title;
-        return scene;
-    } catch (const InputError& error) {
-        throw InputError(error.problem(), error.instead()); // without the line 0
-    }
+    Scene scene = without_line_0([&] { return scene_of(io::TomlSection::made(given, "")); });
+    scene.title = title;
+    return scene;
 }
 
 } // namespace edgeproof::scene

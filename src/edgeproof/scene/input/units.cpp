@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <set>
 #include <utility>
 
 namespace edgeproof::scene {
@@ -42,6 +43,8 @@ constexpr std::array other_units{
     OtherUnit{{"lbf", "8896443230521/2000000000000"}, Unit::Dimension::force},
     OtherUnit{{"kgf", "196133/20000"}, Unit::Dimension::force},
     OtherUnit{{"bar", "100000"}, Unit::Dimension::pressure},
+    OtherUnit{{"psi", "8896443230521/1290320000"}, Unit::Dimension::pressure}, // lbf/in^2
+    OtherUnit{{"ksi", "8896443230521/1290320"}, Unit::Dimension::pressure},
 };
 
 constexpr std::array<std::pair<std::string_view, Unit::Dimension>, 3> si_units{
@@ -92,44 +95,38 @@ std::optional<Unit> force_over_area(std::string_view name) {
     return {};
 }
 
+std::string lower_case(std::string_view name) {
+    std::string lower(name);
+    std::ranges::transform(lower, lower.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return lower;
+}
+
 } // namespace
 
 std::optional<Unit> unit_named(std::string_view name) {
-    if (name == "psi" || name == "ksi") {
-        auto unit = force_over_area("lbf/in2");
-        unit->name = name;
-        unit->factor *= Rational(name == "ksi" ? 1000 : 1);
-        return unit;
-    }
     auto unit = plain_unit(name);
     return unit ? unit : force_over_area(name);
 }
 
 bool resembles_unit(std::string_view name) {
-    std::string lower(name);
-    std::ranges::transform(lower, lower.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const auto is_same = [&](std::string other) {
-        std::ranges::transform(other, other.begin(),
-                               [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        return lower == other;
-    };
-    static constexpr auto other_names = std::to_array<std::string_view>(
-        {"inches", "feet", "meter", "meters", "metre", "metres", "millimeter", "millimeters",
-         "millimetre", "millimetres", "micron", "microns", "atm", "torr", "mmhg", "psf", "msi",
-         "pascal", "megapascal"});
-    return !unit_named(name) &&
-           (std::ranges::any_of(si_units,
-                                [&](const auto& si) {
-                                    return std::ranges::any_of(prefixes, [&](const auto& prefix) {
-                                        return is_same(std::string(prefix.name) +
-                                                       std::string(si.first));
-                                    });
-                                }) ||
-            std::ranges::any_of(
-                other_units, [&](const auto& unit) { return is_same(std::string(unit.name)); }) ||
-            is_same("psi") || is_same("ksi") ||
-            std::ranges::find(other_names, lower) != other_names.end());
+    static const std::set<std::string> resembling = [] {
+        std::set<std::string> names{"inches",     "feet",        "meter",      "meters",
+                                    "metre",      "metres",      "millimeter", "millimeters",
+                                    "millimetre", "millimetres", "micron",     "microns",
+                                    "atm",        "torr",        "mmhg",       "psf",
+                                    "msi",        "pascal",      "megapascal"};
+        for (const OtherUnit& unit : other_units) {
+            names.insert(lower_case(unit.name));
+        }
+        for (const auto& [si, dimension] : si_units) {
+            for (const NamedFactor& prefix : prefixes) {
+                names.insert(lower_case(std::string(prefix.name) + std::string(si)));
+            }
+        }
+        return names;
+    }();
+    return !unit_named(name) && resembling.contains(lower_case(name));
 }
 
 std::string unit_label(const std::optional<Unit>& unit) {

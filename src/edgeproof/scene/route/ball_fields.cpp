@@ -40,23 +40,20 @@ const contact::TractionParts* BallLevel::traction_parts() {
 }
 
 // docs/stress.md, "The Cauchy integrals of q"
-contact::CauchyIntegral BallLevel::shear_integral(const contact::CauchyIntegral& p,
-                                                  const std::optional<Exact>& x, const Box& zeta) {
-    if (!scene_.shear) {
-        return {Box(bits_), Box(bits_)};
-    }
-    if (scene_.together()) {
-        return p * shear_ratio();
-    }
-    if (!scene_.slips()) {
-        return cauchy_integral(contact::Extent<Ball>{a(), b()}, load(), zeta);
-    }
-    const contact::TractionParts* const parts = traction_parts();
-    if (parts == nullptr) {
-        const Box unknown(not_known(), not_known());
-        return {unknown, unknown};
-    }
-    return parts->integral(p, zeta, x);
+contact::CauchyIntegral BallLevel::of_shear(const contact::CauchyIntegral& p,
+                                            const std::optional<Exact>& known, const Box& zeta) {
+    return of_shear_by(
+        p, {Box(bits_), Box(bits_)},
+        [&](const auto& e, const auto& load) { return cauchy_integral(e, load, zeta); },
+        [&](const auto& parts) { return parts.integral(p, zeta, known); });
+}
+
+contact::SurfacePotential BallLevel::of_shear(const contact::SurfacePotential& p,
+                                              const std::optional<Exact>& known, const Ball& x) {
+    return of_shear_by(
+        p, p * Ball(0, bits_),
+        [&](const auto& e, const auto& load) { return surface_potential(e, load, x); },
+        [&](const auto& parts) { return parts.potential(p, x, known); });
 }
 
 Ball BallLevel::bulk_stress(Body body) const {
@@ -120,7 +117,7 @@ const contact::StressState& BallLevel::stress(const AskedValue& at) {
     }
     const Box zeta(ball_of(point.x, bits_), ball_of(point.z, bits_));
     contact::CauchyIntegral p = plane().cauchy_integral(zeta, point.x);
-    contact::CauchyIntegral q = shear_integral(p, point.x, zeta);
+    contact::CauchyIntegral q = of_shear(p, point.x, zeta);
     const bool tension = scene_.shear && scene_.shear->bulk_tension.sign() != 0;
     if (point.x.sign() == 0 && scene_.symmetric() && !tension) {
         // P(-conj(zeta)) = -conj(P(zeta)), and the same for T: exact zeros on the axis of symmetry
@@ -354,7 +351,13 @@ Ball BallLevel::tangential_ratio() const {
     return (2 - nu) / ((1 - nu) * 2);
 }
 
-Ball BallLevel::round_cycle_energy(const BallSlip& slip) const {
+Ball BallLevel::cycle_energy(const BallSlip& slip) const {
+    if (!scene_.round) {
+        const auto power = power_of_growth();
+        return scene_.history ? energy_of(*scene_.history->pass)
+               : power        ? similar_cycle_energy(slip, *power)
+                              : contact::cycle_energy(slip, growth(*contact_));
+    }
     const Ball factor = slip.friction() * slip.friction() * tangential_ratio() * 8;
     if (!scene_.round->law) {
         return factor * of_revolution().loop_integral(slip.stick().a, slip.load_ratio());
@@ -365,23 +368,6 @@ Ball BallLevel::round_cycle_energy(const BallSlip& slip) const {
     const Ball left = pow(1 - tau, 1 / power);
     return factor * whole_force() * approach() *
            ((1 - tau / 2) * (1 - left) - (1 - (1 - tau) * left) / (power + 1));
-}
-
-contact::SurfacePotential BallLevel::shear_potential(const contact::SurfacePotential& p,
-                                                     const Ball& x,
-                                                     const std::optional<Exact>& known) {
-    if (!scene_.shear) {
-        return p * Ball(0, bits_);
-    }
-    if (scene_.together()) {
-        return p * shear_ratio();
-    }
-    if (!scene_.slips()) {
-        return surface_potential(contact::Extent<Ball>{a(), b()}, load(), x);
-    }
-    const contact::TractionParts* const parts = traction_parts();
-    return parts == nullptr ? contact::SurfacePotential{not_known(), not_known()}
-                            : parts->potential(p, x, known);
 }
 
 // docs/stress.md, "The displacements"
@@ -396,8 +382,7 @@ BallLevel::Potentials BallLevel::potentials(const AskedValue& at) {
     const contact::SurfacePotential p = plane().surface_potential(x, known);
     const contact::SurfacePotential p_from = plane().surface_potential(from, known_from);
     const Ball side(at.in_body->body == Body::A ? 1 : -1, bits_); // B carries -q
-    return {p - p_from,
-            (shear_potential(p, x, known) - shear_potential(p_from, from, known_from)) * side,
+    return {p - p_from, (of_shear(p, known, x) - of_shear(p_from, known_from, from)) * side,
             x - from};
 }
 
@@ -419,7 +404,7 @@ Ball BallLevel::surface_slope(const AskedValue& at) {
     const Box zeta(at.place->x_enclosure(a(), b(), bits_), Ball(0, bits_));
     const std::optional<Exact> x = known_x(Edge::right, *at.place);
     const contact::CauchyIntegral p = plane().cauchy_integral(zeta, x);
-    const contact::CauchyIntegral q = shear_integral(p, x, zeta);
+    const contact::CauchyIntegral q = of_shear(p, x, zeta);
     const Compliances body = compliances_of(scene_, at.in_body->body, bits_);
     const Ball side(at.in_body->body == Body::A ? 1 : -1, bits_);
     return -(body.along * p.value.real() * 2 + side * body.across * q.value.imaginary()) /

@@ -105,7 +105,6 @@ public:
     [[nodiscard]] const Ball& b() const { return contact_->b(); }
     /// The tilt of a scene in which it is solved for.
     [[nodiscard]] const contact::EnclosedTilt& tilt() const { return *tilt_; }
-    [[nodiscard]] const Ball& alpha() const { return tilt_->alpha; }
     [[nodiscard]] Ball length() const { return a() + b(); }
     [[nodiscard]] Ball force() const { return contact_->force(); }
     /// P as it is printed: of an axisymmetric contact the total force.
@@ -141,7 +140,6 @@ public:
     }
     [[nodiscard]] static Distance place(const AskedValue& asked) { return asked.distance(); }
     [[nodiscard]] Ball distance(const Distance& u) const { return u.enclosure(a(), b(), bits_); }
-    [[nodiscard]] Ball u(Edge /*edge*/, const Distance& u) const { return distance(u); }
     /// The coordinate x of a point.
     [[nodiscard]] Ball x(Edge edge, const Distance& u) const {
         if (!u.number()) {
@@ -149,6 +147,8 @@ public:
         }
         return edge == Edge::right ? a() - distance(u) : distance(u) - b();
     }
+    /// The coordinate x of a point, if it is known exactly.
+    [[nodiscard]] std::optional<Exact> known_x(Edge edge, const Distance& u) const;
     /// Throws DomainError if a corner inside the contact makes the pressure infinite.
     [[nodiscard]] Ball peak() const {
         for (const Ball& corner : contact().corners(Edge::right)) {
@@ -208,33 +208,23 @@ public:
     [[nodiscard]] Ball slip_size(Edge edge) {
         return of_slip([&](const BallSlip& slip) { return slip.size(edge); });
     }
-    [[nodiscard]] Ball load_ratio() {
-        return of_slip([](const BallSlip& slip) { return slip.load_ratio(); });
+    /// A value of the slip; not finite if these bits do not suffice.
+    template <class F> [[nodiscard]] Ball of_slip(const F& f) {
+        try {
+            return slip() != nullptr ? Ball(f(*slip())) : not_known();
+        } catch (const BudgetError&) {
+            return not_known();
+        }
     }
     /// The bulk tension with which the stick zone reaches an edge of the contact: the edge towards
-    /// which Q acts, or the other one.
-    template <Edge ahead> [[nodiscard]] Ball tension_limit() {
-        const Edge edge = scene_.shear->Q.sign() > 0 ? ahead : opposite(ahead);
-        return of_slip([&](const BallSlip& slip) { return slip.tension_limit(edge); });
-    }
-    /// The distance of an edge of the stick zone from the origin.
-    template <Edge edge> [[nodiscard]] Ball stick_edge() {
-        return of_slip([](const BallSlip& slip) { return slip.stick().at(edge); });
+    /// which Q acts, if `ahead` is the right one, or the other one.
+    [[nodiscard]] Ball tension_limit(const BallSlip& slip, Edge ahead) const {
+        return slip.tension_limit(scene_.shear->Q.sign() > 0 ? ahead : opposite(ahead));
     }
     /// Only for scenes whose tilt is given.
-    [[nodiscard]] Ball cycle_energy() {
-        return of_slip([&](const BallSlip& slip) {
-            const auto power = power_of_growth();
-            return scene_.round     ? round_cycle_energy(slip)
-                   : scene_.history ? energy_of(*scene_.history->pass)
-                   : power          ? similar_cycle_energy(slip, *power)
-                                    : contact::cycle_energy(slip, growth(*contact_));
-        });
-    }
-    /// The energy of the last step of a load history, as cycle_energy().
-    [[nodiscard]] Ball step_energy() {
-        return of_slip([&](const BallSlip& /*slip*/) { return energy_of(scene_.history->step); });
-    }
+    [[nodiscard]] Ball cycle_energy(const BallSlip& slip) const;
+    /// The energy of the last step of a load history.
+    [[nodiscard]] Ball step_energy() const { return energy_of(scene_.history->step); }
     /// kappa_1, ..., at an edge; balls that are not finite if there is no slip zone.
     [[nodiscard]] const std::vector<Ball>& slip_series(Edge edge, std::size_t terms);
     [[nodiscard]] Ball not_known() const { return contact::unknown_ball(bits_); }
@@ -242,16 +232,11 @@ public:
     /// computed from the omitted terms.
     [[nodiscard]] Ball relative_error(Edge edge, const Distance& u, std::size_t n, bool shear);
     // Values at a point of a body, and at a place x of the surface (ball_fields.cpp).
-    [[nodiscard]] Ball sxx(const AskedValue& at) { return stress(at).sxx; }
-    [[nodiscard]] Ball szz(const AskedValue& at) { return stress(at).szz; }
-    [[nodiscard]] Ball sxz(const AskedValue& at) { return stress(at).sxz; }
-    [[nodiscard]] Ball tau_max(const AskedValue& at) { return stress(at).tau_max(); }
-    [[nodiscard]] Ball mises(const AskedValue& at) { return stress(at).mises(poisson(at)); }
-    [[nodiscard]] Ball syy(const AskedValue& at) { return stress(at).syy(poisson(at)); }
-    template <std::size_t k> [[nodiscard]] Ball principal(const AskedValue& at) {
-        return stress(at).principal(poisson(at))[k];
+    /// Keeps the last value.
+    [[nodiscard]] const contact::StressState& stress(const AskedValue& at);
+    [[nodiscard]] Ball poisson(const AskedValue& at) const {
+        return ball_of(*scene_.poisson(at.in_body->body), bits_);
     }
-    [[nodiscard]] Ball tresca(const AskedValue& at) { return stress(at).tresca(poisson(at)); }
     /// The load on a body, for shear that is not under full stick. Nothing if these bits do not
     /// isolate the stick zone.
     [[nodiscard]] std::optional<contact::StressField> stress_field(Body body);
@@ -275,7 +260,6 @@ public:
 private:
     /// The gap at the distance `beyond` > 0 outwards from an edge; x: the same place.
     [[nodiscard]] Ball gap_beyond(const Ball& x, Edge edge, const Ball& beyond) const;
-    [[nodiscard]] Ball round_cycle_energy(const BallSlip& slip) const;
     /// E*/E_t of an axisymmetric scene with a Poisson's ratio.
     [[nodiscard]] Ball tangential_ratio() const;
     /// The slip at the radius r in the contact of an axisymmetric scene with friction.
@@ -288,8 +272,6 @@ private:
     [[nodiscard]] contact::GrowthIntegral growth(const ProvedContact& widest) const;
     /// The energy of phases of a load history.
     [[nodiscard]] Ball energy_of(const std::vector<LoadHistory::Phase>& phases) const;
-    /// Keeps the last value.
-    [[nodiscard]] const contact::StressState& stress(const AskedValue& at);
     [[nodiscard]] Ball bulk_stress(Body body) const;
     /// The potentials of p and of q on a body at a place, less those at the reference.
     struct Potentials {
@@ -298,16 +280,28 @@ private:
         Ball distance; ///< of the place from the reference (length)
     };
     [[nodiscard]] Potentials potentials(const AskedValue& at);
-    [[nodiscard]] contact::SurfacePotential shear_potential(const contact::SurfacePotential& p,
-                                                            const Ball& x,
-                                                            const std::optional<Exact>& known);
-    [[nodiscard]] Ball poisson(const AskedValue& at) const {
-        return ball_of(*scene_.poisson(at.in_body->body), bits_);
+    /// The Cauchy integral of q on body A at `zeta`, or the potential of q at x; `p` is that of p,
+    /// `known` is x if it is known exactly.
+    [[nodiscard]] contact::CauchyIntegral
+    of_shear(const contact::CauchyIntegral& p, const std::optional<Exact>& known, const Box& zeta);
+    [[nodiscard]] contact::SurfacePotential
+    of_shear(const contact::SurfacePotential& p, const std::optional<Exact>& known, const Ball& x);
+    /// The same from that of full stick and that of the parts of q.
+    template <class T, class FullStick, class Parts>
+    [[nodiscard]] T of_shear_by(const T& p, const T& none, const FullStick& stick,
+                                const Parts& of_parts) {
+        if (!scene_.shear) {
+            return none;
+        }
+        if (scene_.together()) {
+            return p * shear_ratio();
+        }
+        if (!scene_.slips()) {
+            return stick(contact::Extent<Ball>{a(), b()}, load());
+        }
+        const contact::TractionParts* const parts = traction_parts();
+        return parts == nullptr ? p * not_known() : of_parts(*parts);
     }
-    /// The Cauchy integral of q on body A; `p` is that of p.
-    [[nodiscard]] contact::CauchyIntegral shear_integral(const contact::CauchyIntegral& p,
-                                                         const std::optional<Exact>& x,
-                                                         const Box& zeta);
     /// The parts of q; null if these bits do not isolate them, or if the contact slides.
     [[nodiscard]] const contact::TractionParts* traction_parts();
     /// The slip of the places inside a zone, and outside that of the entry before, since they came
@@ -321,14 +315,6 @@ private:
     [[nodiscard]] const std::vector<SlipSince>* slip_since_contact();
     /// The slip displacement after a load history at the place x in the contact.
     [[nodiscard]] Ball slip_after_history(const Ball& x);
-    /// A value of the slip; not finite if these bits do not suffice.
-    template <class F> [[nodiscard]] Ball of_slip(const F& f) {
-        try {
-            return slip() != nullptr ? Ball(f(*slip())) : not_known();
-        } catch (const BudgetError&) {
-            return not_known();
-        }
-    }
     /// The series of p/sqrt(u) at an edge.
     [[nodiscard]] BoundedSeries p_series(Edge edge) const;
     /// The series of q sqrt(u) under full stick, or of q/sqrt(u) if q is proportional to p. In the
@@ -347,8 +333,6 @@ private:
     /// proved, which no number of bits decides.
     [[nodiscard]] std::optional<contact::BallZone> exact_stick() const;
     [[nodiscard]] Ball pressure(Edge edge, const Distance& u) const;
-    /// The coordinate x of a point, if it is known exactly.
-    [[nodiscard]] std::optional<Exact> known_x(Edge edge, const Distance& u) const;
     struct Last {
         Edge edge;
         Distance u;

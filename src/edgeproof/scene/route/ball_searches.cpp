@@ -7,7 +7,6 @@
 #include "edgeproof/scene/route/scene_values.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace edgeproof::scene {
@@ -23,31 +22,6 @@ Row row_with(const AskedValue& asked, Quantity quantity, std::optional<BoundedVa
     Row row{asked, std::move(value)};
     row.asked.quantity = quantity;
     return row;
-}
-
-/// The rows of an extent. `asked`: the edge, the number of terms and the tolerance; `values`: the
-/// first exit and the measure, each followed by the same as a fraction of a + b; `leaves`:
-/// Row::reached of the first exit.
-std::vector<Row> extent_rows(const AskedValue& asked, const std::array<BoundedValue, 4>& values,
-                             const std::vector<BoundedValue>& crossings, bool leaves) {
-    std::vector<Row> rows{row_with(asked, Quantity::extent, values[0]),
-                          row_with(asked, Quantity::extent_fraction, values[1]),
-                          row_with(asked, Quantity::measure, values[2]),
-                          row_with(asked, Quantity::measure_fraction, values[3])};
-    rows[0].reached = rows[1].reached = leaves;
-    for (std::size_t j = 0; j < crossings.size(); ++j) {
-        rows.push_back(row_with(asked, Quantity::crossing, crossings[j]));
-        rows.back().asked.j = j;
-    }
-    return rows;
-}
-
-/// The rows of a slip zone by the first terms: its size, its error, and a slip load without a
-/// value.
-std::vector<Row> slip_rows(const AskedValue& asked, BoundedValue size, BoundedValue error) {
-    return {row_with(asked, Quantity::slip_terms, std::move(size)),
-            row_with(asked, Quantity::slip_rel, std::move(error)),
-            row_with(asked, Quantity::slip_load, {})};
 }
 
 } // namespace
@@ -87,21 +61,24 @@ std::vector<Row> SceneValues::extent(const AskedValue& asked) {
                           " terms stay within " + asked.tolerance->text() + " of p at the " +
                           edge_name(asked.edge) + " edge");
     }
-    const auto proved = [](const Ball& x, const std::optional<Rational>& q) {
-        return BoundedValue{x, true, "sign changes", q};
+    std::vector<Row> rows;
+    const auto add = [&](Quantity quantity, const Ball& x, const std::optional<Rational>& q) {
+        rows.push_back(row_with(asked, quantity, BoundedValue{x, true, "sign changes", q}));
     };
-    const auto fraction = [&](const Ball& x, const std::optional<Rational>& q) {
-        return proved(x / best->length, q && exact.length
-                                            ? std::optional(Rational(*q / *exact.length))
-                                            : std::nullopt);
+    const auto add_both = [&](Quantity length, Quantity fraction, const Ball& x,
+                              const std::optional<Rational>& q) {
+        add(length, x, q);
+        add(fraction, x / best->length,
+            q && exact.length ? std::optional(Rational(*q / *exact.length)) : std::nullopt);
     };
-    std::vector<BoundedValue> crossings;
-    std::ranges::transform(best->crossings, exact.crossings, std::back_inserter(crossings), proved);
-    return extent_rows(
-        asked,
-        {proved(best->first_exit, exact.first_exit), fraction(best->first_exit, exact.first_exit),
-         proved(best->measure, exact.measure), fraction(best->measure, exact.measure)},
-        crossings, best->leaves);
+    add_both(Quantity::extent, Quantity::extent_fraction, best->first_exit, exact.first_exit);
+    rows[0].reached = rows[1].reached = best->leaves;
+    add_both(Quantity::measure, Quantity::measure_fraction, best->measure, exact.measure);
+    for (std::size_t j = 0; j < best->crossings.size(); ++j) {
+        add(Quantity::crossing, best->crossings[j], exact.crossings[j]);
+        rows.back().asked.j = j;
+    }
+    return rows;
 }
 
 SceneValues::ExactExtents SceneValues::exact_extents(const AskedValue& asked,
@@ -253,6 +230,7 @@ bool SceneValues::in_proportion() {
 }
 
 std::vector<Row> SceneValues::slip_terms(const AskedValue& asked) {
+    check_slip();
     const auto of_series = [&](BallLevel& level) {
         const std::vector<Ball>& series = level.slip_series(asked.edge, scene_.ask.most_terms());
         return level.slip() == nullptr
@@ -269,8 +247,10 @@ std::vector<Row> SceneValues::slip_terms(const AskedValue& asked) {
         throw BudgetError("no number of bits encloses the slip zone by " + std::to_string(asked.k) +
                           " terms");
     }
-    std::vector<Row> rows = slip_rows(asked, {std::move(size->value), true, "series"},
-                                      {std::move(error->value), true, "series"});
+    std::vector<Row> rows{
+        row_with(asked, Quantity::slip_terms, BoundedValue{std::move(size->value), true, "series"}),
+        row_with(asked, Quantity::slip_rel, BoundedValue{std::move(error->value), true, "series"}),
+        row_with(asked, Quantity::slip_load, {})};
     if (asked.tolerance && slip_level_ != nullptr && in_proportion()) {
         find_reach(rows.back());
     }

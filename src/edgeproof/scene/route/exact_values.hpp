@@ -47,9 +47,6 @@ public:
         return asked.distance().exactly(
             [&](std::string_view edge) { return edge == "a" ? a() : b(); });
     }
-    /// The tilt, where it is solved for: exact values exist only if it is known to be zero.
-    [[nodiscard]] Number alpha() const { return 0; } // NOLINT: called like the other members
-    [[nodiscard]] Number u(Edge /*edge*/, const Number& u) const { return u; } // NOLINT
     /// The greatest pressure, if it is known to be at the origin.
     [[nodiscard]] Number peak() const {
         return peaks_in_the_middle(scene_) ? p(Edge::right, a()) : throw contact::NoExactForm();

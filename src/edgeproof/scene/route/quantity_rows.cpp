@@ -1,29 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/input/quantity.hpp"
 
-#include "edgeproof/algebra/identity.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/route/ball_level.hpp"
 #include "edgeproof/scene/route/exact_values.hpp"
 
 #include <array>
-#include <optional>
+#include <functional>
+#include <string_view>
 #include <type_traits>
 
 namespace edgeproof::scene {
 namespace {
 
-using Def = QuantityRow;
-using Needs = QuantityRow::Needs;
 using Group = QuantityGroup;
-
-bool is_force_given(const Scene& s) { return s.load.kind == Load::Kind::force; }
-const char* by_load(const Scene& s) {
-    return s.round ? s.round->size_from() : is_force_given(s) ? "from P" : "given";
-}
-const char* full_stick_or_similar(const Scene& s) {
-    return s.together() ? "similar" : "full-stick";
-}
+using Needs = QuantityRow::Needs;
+using Index = QuantityRow::Index;
+using Place = QuantityRow::Place;
+using Asked = const AskedValue&;
+using State = const contact::StressState&;
+using Slip = const BallSlip&;
 
 /// Force per length to the first power, times length to the second.
 struct Unit {
@@ -38,349 +33,267 @@ constexpr Unit moment{1, 1};
 constexpr Unit stress{1, -1};
 } // namespace units
 
-/// A row, and what is set in it after the fields that all rows have.
-struct Made : Def {
-    // Assignments instead of calls of `with`, which clang 14 does not evaluate at compile time
-    // here.
-    [[nodiscard]] constexpr Made with_index(Index k) const {
-        Made made = *this;
-        made.index = k;
-        return made;
-    }
-    [[nodiscard]] constexpr Made needing(Needs what) const {
-        Made made = *this;
-        made.needs = what;
-        return made;
-    }
-    [[nodiscard]] constexpr Made explained(std::string_view text) const {
-        Made made = *this;
-        made.meaning = text;
-        return made;
-    }
-    [[nodiscard]] constexpr Made labelled(std::string_view text) const {
-        Made made = *this;
-        made.label = text;
-        return made;
-    }
-    [[nodiscard]] constexpr Made by(const char* way) const {
-        Made made = *this;
-        made.route = way;
-        return made;
-    }
-    [[nodiscard]] constexpr Made by(const char* (*way)(const Scene&)) const {
-        Made made = *this;
-        made.route_by = way;
-        return made;
-    }
-    template <class Field> [[nodiscard]] constexpr Made with(Field Def::*field, Field value) const {
-        Made made = *this;
-        made.*field = value;
-        return made;
-    }
+/// The evaluators of a row; `f` takes a level of either kind, or only that of balls.
+struct Evaluators {
+    Ball (*ball)(BallLevel&, Asked);
+    Form (*exact)(ExactValues&, Asked);
+};
+template <class F> constexpr Evaluators both(F f) { return {f, f}; }
+template <class F> constexpr Evaluators balls(F f) { return {f, nullptr}; }
+
+/// The name of a route, or the function of the scene that returns it.
+struct RouteName {
+    constexpr RouteName(const char* name) : fixed(name) {}               // NOLINT: as text
+    constexpr RouteName(const char* (*name)(const Scene&)) : by(name) {} // NOLINT: as a function
+    const char* fixed = "";
+    const char* (*by)(const Scene&) = nullptr;
 };
 
-constexpr Made row(Quantity quantity, std::string_view symbol, std::string_view name, Group group,
-                   Def::Place place, Unit unit) {
-    return {{.quantity = quantity,
-             .symbol = symbol,
-             .name = name,
-             .group = group,
-             .place = place,
-             .force_power = unit.force_power,
-             .length_power = unit.length_power}};
+constexpr QuantityRow row(Quantity quantity, std::string_view symbol, std::string_view name,
+                          Group group, Place place, Unit unit, Evaluators f, RouteName route,
+                          const QuantityOptions& options = {}) {
+    return {options,          quantity,          symbol, name,    group,       place,
+            unit.force_power, unit.length_power, f.ball, f.exact, route.fixed, route.by};
 }
 
-/// Returns the value of a member function of a level; null if the level has none. A coefficient is
-/// an element of a list at the edge.
-template <Def::Place place, auto member, bool listed> consteval auto evaluator() {
-    if constexpr (std::is_null_pointer_v<decltype(member)>) {
-        return nullptr;
-    } else {
-        return [](auto& level, [[maybe_unused]] const AskedValue& v) {
-            if constexpr (listed) {
-                return (level.*member)(v.edge).at(v.k);
-            } else if constexpr (place == Def::Place::body || place == Def::Place::surface) {
-                return (level.*member)(v);
-            } else if constexpr (place == Def::Place::contact) {
-                return (level.*member)();
-            } else if constexpr (place == Def::Place::edge) {
-                return (level.*member)(v.edge);
-            } else {
-                return (level.*member)(v.edge, level.place(v));
-            }
-        };
-    }
+const char* size_given(const Scene& s) {
+    return s.round ? s.round->size_from() : s.load.kind == Load::Kind::force ? "from P" : "given";
 }
-template <Def::Place place, auto ball, auto exact, bool listed = false>
-constexpr Made value(Quantity quantity, std::string_view symbol, std::string_view name, Group group,
-                     Unit unit) {
-    Made made = row(quantity, symbol, name, group, place, unit);
-    made.ball = evaluator<place, ball, listed>();
-    made.exact = evaluator<place, exact, listed>();
-    return made;
-}
-template <auto ball, auto exact, class... Fields> constexpr Made of_contact(Fields... fields) {
-    return value<Def::Place::contact, ball, exact>(fields...);
-}
-template <auto ball, auto exact, class... Fields> constexpr Made at_point(Fields... fields) {
-    return value<Def::Place::point, ball, exact>(fields...);
-}
-
-/// c_k or s_k.
-template <auto ball, bool shear>
-constexpr Made coefficient(Quantity quantity, std::string_view symbol, std::string_view name,
-                           Unit unit) {
-    return value<Def::Place::edge, ball, nullptr, true>(quantity, symbol, name, Group::coefficients,
-                                                        unit)
-        .with_index(Def::Index::order)
-        .with(
-            &Def::exact, +[](ExactValues& level, const AskedValue& v) {
-                return level.coefficient(v.edge, v.k, shear);
-            });
-}
-
-// The sum of the first k terms at a point, and |1 - sum/value|: of p, or of q (`shear`).
-template <bool shear>
-constexpr auto sum_at_point =
-    [](auto& level, const AskedValue& v) { return level.sum(v.edge, level.place(v), v.k, shear); };
-template <bool shear>
-constexpr auto error_at_point = [](auto& level, const AskedValue& v) {
-    return abs(level.relative_error(v.edge, level.place(v), v.k, shear));
-};
-template <bool shear>
-constexpr Made of_terms(Quantity quantity, std::string_view column, std::string_view name,
-                        Unit unit, const auto& evaluator) {
-    Made made =
-        row(quantity, "", name, shear ? Group::shear : Group::pressure, Def::Place::point, unit)
-            .labelled(column)
-            .with_index(Def::Index::terms)
-            .needing(shear ? Needs::shear : Needs::nothing)
-            .by("series");
-    made.ball = evaluator;
-    made.exact = evaluator;
-    return made;
-}
-template <bool shear>
-constexpr Made sum_row(Quantity quantity, std::string_view column, std::string_view name) {
-    return of_terms<shear>(quantity, column, name, units::stress, sum_at_point<shear>);
-}
-template <bool shear>
-constexpr Made error_row(Quantity quantity, std::string_view column, std::string_view name) {
-    return of_terms<shear>(quantity, column, name, units::number, error_at_point<shear>)
-        .with(&Def::short_error, true);
-}
-
-/// A quantity of k terms at an edge that is found by a search for a tolerance.
-constexpr Made searched(Quantity quantity, std::string_view column, std::string_view name,
-                        Group group, Unit unit) {
-    const bool slips = group == Group::slip;
-    const bool named = quantity == Quantity::extent || quantity == Quantity::measure;
-    return row(quantity, named ? column : "", name, group, Def::Place::edge, unit)
-        .labelled(column)
-        .with_index(Def::Index::terms)
-        .needing(slips ? Needs::friction : Needs::nothing)
-        .with(&Def::tolerance, !slips || quantity == Quantity::slip_load)
-        .with(&Def::searched, true)
-        .with(&Def::short_error, quantity == Quantity::slip_rel);
-}
-
-/// A quantity of the stick zone.
-template <auto ball>
-constexpr Made of_stick(Quantity quantity, std::string_view symbol, std::string_view name,
-                        Unit unit) {
-    return of_contact<ball, nullptr>(quantity, symbol, name, Group::slip, unit)
-        .needing(Needs::friction)
-        .by("stick zone");
-}
-
+const char* left_edge(const Scene& s) { return s.symmetric() ? size_given(s) : "consistency"; }
 /// The route of P and delta of an axisymmetric contact.
-const char* way_of_integral(const Scene& s) {
+const char* integral(const Scene& s) {
     return s.curved_body() ? "rigorous integration" : "closed-form";
 }
-/// The route of values along the surface.
-const char* way_of_surface(const Scene& s) {
+const char* force(const Scene& s) {
+    const Load::Kind given = s.given_load().kind;
+    return given == Load::Kind::force ? "given" : s.round ? integral(s) : "contact-law";
+}
+const char* moment(const Scene& s) { return s.moment ? "given" : "contact-law"; }
+const char* pressure(const Scene& s) {
+    return s.closed()                               ? "closed-form"
+           : s.profile && s.profile->axisymmetric() ? "Abel integral"
+                                                    : "rigorous integration";
+}
+const char* peak(const Scene& s) {
+    return peaks_in_the_middle(s) ? "at the origin" : "branch and bound";
+}
+const char* stuck(const Scene& s) { return s.together() ? "similar" : "full-stick"; }
+const char* shear(const Scene& s) { return s.slips() ? "superposition" : stuck(s); }
+const char* cycle(const Scene& s) { return s.history ? "superposition" : "Mindlin's loop"; }
+const char* along_surface(const Scene& s) {
     const bool tilted = s.slips() && s.shear->bulk_tension.sign() != 0;
     return s.round || !s.closed() || (tilted && s.profile && !s.profile->piecewise_linear())
                ? "rigorous integration"
                : "closed-form";
 }
-const char* way_of_stress(const Scene& s) {
-    const bool integrated = !s.closed() || (s.round && !s.round->law);
-    return integrated  ? "rigorous integration"
-           : !s.shear  ? "closed-form"
-           : s.slips() ? "superposition"
-                       : full_stick_or_similar(s);
+const char* in_body(const Scene& s) {
+    return !s.closed() || (s.round && !s.round->law) ? "rigorous integration"
+           : !s.shear                                ? "closed-form"
+                                                     : shear(s);
 }
-/// A stress at a point of a body; its name is that of the column. The principal stresses have no
-/// symbol in recipes, where s_1, s_2 are coefficients.
-template <auto ball>
-constexpr Made stress(Quantity quantity, std::string_view name, std::string_view symbol = "") {
-    return value<Def::Place::body, ball, nullptr>(quantity, symbol, name, Group::stress,
-                                                  units::stress)
-        .labelled(name)
-        .by(way_of_stress);
+
+const Exact* given_force(const Scene& s) {
+    return s.load.kind == Load::Kind::force ? &s.load.value : nullptr;
 }
-template <auto ball> constexpr Made on_surface(Quantity quantity, std::string_view name) {
-    return value<Def::Place::surface, ball, nullptr>(quantity, "", name, Group::displacement,
-                                                     units::length)
-        .labelled(name)
-        .by(way_of_surface);
+const Exact* given_moment(const Scene& s) { return s.moment ? &*s.moment : nullptr; }
+
+constexpr QuantityRow of_contact(Quantity quantity, std::string_view symbol, std::string_view name,
+                                 Unit unit, Evaluators f, RouteName route,
+                                 const QuantityOptions& options = {}) {
+    return row(quantity, symbol, name, Group::contact, Place::contact, unit, f, route, options);
 }
-template <auto ball>
-constexpr Made of_surface(Quantity quantity, std::string_view name, Unit unit) {
-    return value<Def::Place::surface, ball, nullptr>(quantity, "", name, Group::surface, unit)
-        .labelled(name)
-        .by(way_of_surface);
+constexpr QuantityRow at_point(Quantity quantity, std::string_view symbol, std::string_view name,
+                               Unit unit, Evaluators f, RouteName route,
+                               const QuantityOptions& options = {}) {
+    const Group group = options.needs == Needs::shear ? Group::shear : Group::pressure;
+    return row(quantity, symbol, name, group, Place::point, unit, f, route, options);
+}
+
+/// c_k of p, or s_k of q.
+template <bool shear_too>
+constexpr QuantityRow coefficient(Quantity quantity, std::string_view symbol, std::string_view name,
+                                  Unit unit, RouteName route) {
+    return row(
+        quantity, symbol, name, Group::coefficients, Place::edge, unit,
+        {[](BallLevel& level, Asked v) {
+             return (shear_too ? level.s(v.edge) : level.c(v.edge)).at(v.k);
+         },
+         [](ExactValues& level, Asked v) { return level.coefficient(v.edge, v.k, shear_too); }},
+        route, {.index = Index::order, .needs = shear_too ? Needs::shear : Needs::nothing});
+}
+/// The sum of the first k terms at a point, of p or of q.
+template <bool of_q>
+constexpr QuantityRow sum(Quantity quantity, std::string_view column, std::string_view name) {
+    return at_point(
+        quantity, "", name, units::stress,
+        both([](auto& level, Asked v) { return level.sum(v.edge, level.place(v), v.k, of_q); }),
+        "series",
+        {.index = Index::terms, .needs = of_q ? Needs::shear : Needs::nothing, .label = column});
+}
+/// |1 - sum/value|
+template <bool of_q>
+constexpr QuantityRow error(Quantity quantity, std::string_view column, std::string_view name) {
+    return at_point(quantity, "", name, units::number, both([](auto& level, Asked v) {
+                        return abs(level.relative_error(v.edge, level.place(v), v.k, of_q));
+                    }),
+                    "series",
+                    {.index = Index::terms,
+                     .needs = of_q ? Needs::shear : Needs::nothing,
+                     .label = column,
+                     .short_error = true});
+}
+/// A quantity of k terms at an edge that is found by a search for a tolerance.
+constexpr QuantityRow searched(Quantity quantity, std::string_view column, std::string_view name,
+                               Group group, Unit unit) {
+    const bool slips = group == Group::slip;
+    const bool named = quantity == Quantity::extent || quantity == Quantity::measure;
+    return row(quantity, named ? column : "", name, group, Place::edge, unit, {}, "",
+               {.index = Index::terms,
+                .needs = slips ? Needs::friction : Needs::nothing,
+                .tolerance = !slips || quantity == Quantity::slip_load,
+                .label = column,
+                .searched = true,
+                .short_error = quantity == Quantity::slip_rel});
+}
+/// A quantity of the slip; `f` takes the level and the slip.
+template <class F>
+constexpr QuantityRow of_slip(Quantity quantity, std::string_view symbol, std::string_view name,
+                              Unit unit, RouteName route, F /*f*/, QuantityOptions options) {
+    options.needs = options.needs == Needs::nothing ? Needs::friction : options.needs;
+    return row(quantity, symbol, name, Group::slip, Place::contact, unit,
+               balls([](BallLevel& level, Asked) {
+                   return level.of_slip([&](Slip slip) { return F{}(level, slip); });
+               }),
+               route, options);
+}
+/// A member of the stresses at a point of a body; its name is that of the column. The principal
+/// stresses have no symbol in recipes, where s_1, s_2 are coefficients.
+template <auto member>
+constexpr QuantityRow stress(Quantity quantity, std::string_view name, bool symbol = true) {
+    constexpr bool alone = std::is_invocable_v<decltype(member), State>;
+    return row(quantity, symbol ? name : "", name, Group::stress, Place::body, units::stress,
+               balls([](BallLevel& level, Asked v) -> Ball {
+                   if constexpr (alone) {
+                       return std::invoke(member, level.stress(v));
+                   } else {
+                       return std::invoke(member, level.stress(v), level.poisson(v));
+                   }
+               }),
+               in_body, {.needs = alone ? Needs::nothing : Needs::poisson, .label = name});
+}
+template <std::size_t k> Ball principal(State state, const Ball& nu) {
+    return state.principal(nu)[k];
+}
+template <auto member>
+constexpr QuantityRow on_surface(Quantity quantity, std::string_view column, Unit unit, Group group,
+                                 Needs needs = Needs::nothing, std::string_view name = "") {
+    return row(quantity, "", name.empty() ? column : name, group, Place::surface, unit,
+               balls([](BallLevel& level, Asked v) { return (level.*member)(v); }), along_surface,
+               {.needs = needs, .label = column});
 }
 
 /// The rows are in the order of Quantity.
-constexpr auto quantity_table = std::to_array<Def>({
-    at_point<&BallLevel::p, &ExactValues::p>(Quantity::p, "p", "pressure", Group::pressure,
-                                             units::stress)
-        .by([](const Scene& scene) {
-            return scene.closed()                                   ? "closed-form"
-                   : scene.profile && scene.profile->axisymmetric() ? "Abel integral"
-                                                                    : "rigorous integration";
-        })
-        .with(&Def::cancels_little, true),
-    at_point<&BallLevel::q, &ExactValues::q>(Quantity::q, "q", "shear", Group::shear, units::stress)
-        .needing(Needs::shear)
-        .by([](const Scene& s) { return s.slips() ? "superposition" : full_stick_or_similar(s); }),
-    coefficient<&BallLevel::c, false>(Quantity::c, "c", "coefficient", {1, -1.5}).by("series"),
-    coefficient<&BallLevel::s, true>(Quantity::s, "s", "shear-coefficient", {1, -0.5})
-        .needing(Needs::shear)
-        .by(full_stick_or_similar),
-    of_contact<&BallLevel::a, &ExactValues::a>(Quantity::a, "a", "right-edge", Group::contact,
-                                               units::length)
-        .by(by_load)
-        .with(&Def::distance_of, std::optional(Edge::right))
-        .with(&Def::cancels_little, true),
-    of_contact<&BallLevel::b, &ExactValues::b>(Quantity::b, "b", "left-edge", Group::contact,
-                                               units::length)
-        .by([](const Scene& s) { return s.symmetric() ? by_load(s) : "consistency"; })
-        .with(&Def::distance_of, std::optional(Edge::left))
-        .with(&Def::cancels_little, true),
-    of_contact<&BallLevel::whole_force, &ExactValues::whole_force>(Quantity::P, "P", "load",
-                                                                   Group::contact, units::force)
-        .by([](const Scene& s) {
-            return is_force_given(s) || (s.round && by_load(s) == std::string_view("from P"))
-                       ? "given"
-                   : s.round ? way_of_integral(s)
-                             : "contact-law";
-        })
-        .with(
-            &Def::given,
-            +[](const Scene& s)
-                -> const Exact* { return is_force_given(s) ? &s.load.value : nullptr; }),
-    of_contact<&BallLevel::moment, &ExactValues::moment>(Quantity::M, "M", "moment", Group::contact,
-                                                         units::moment)
-        .needing(Needs::plane)
-        .by([](const Scene& s) { return s.moment ? "given" : "contact-law"; })
-        .with(
-            &Def::given,
-            +[](const Scene& s) -> const Exact* { return s.moment ? &*s.moment : nullptr; }),
-    of_contact<&BallLevel::alpha, &ExactValues::alpha>(Quantity::alpha, "alpha", "tilt",
-                                                       Group::contact, units::number)
-        .needing(Needs::unknown_tilt)
-        .by("tilt"),
+constexpr auto quantity_table = std::to_array<QuantityRow>({
+    at_point(Quantity::p, "p", "pressure", units::stress,
+             both([](auto& l, Asked v) { return l.p(v.edge, l.place(v)); }), pressure,
+             {.cancels_little = true}),
+    at_point(Quantity::q, "q", "shear", units::stress,
+             both([](auto& l, Asked v) { return l.q(v.edge, l.place(v)); }), shear,
+             {.needs = Needs::shear}),
+    coefficient<false>(Quantity::c, "c", "coefficient", {1, -1.5}, "series"),
+    coefficient<true>(Quantity::s, "s", "shear-coefficient", {1, -0.5}, stuck),
+    of_contact(Quantity::a, "a", "right-edge", units::length,
+               both([](auto& l, Asked) { return l.a(); }), size_given,
+               {.distance_of = Edge::right, .cancels_little = true}),
+    of_contact(Quantity::b, "b", "left-edge", units::length,
+               both([](auto& l, Asked) { return l.b(); }), left_edge,
+               {.distance_of = Edge::left, .cancels_little = true}),
+    of_contact(Quantity::P, "P", "load", units::force,
+               both([](auto& l, Asked) { return l.whole_force(); }), force, {.given = given_force}),
+    of_contact(Quantity::M, "M", "moment", units::moment,
+               both([](auto& l, Asked) { return l.moment(); }), moment,
+               {.needs = Needs::plane, .given = given_moment}),
+    of_contact(Quantity::alpha, "alpha", "tilt", units::number,
+               {[](BallLevel& l, Asked) { return l.tilt().alpha; },
+                [](ExactValues&, Asked) { return Form(0); }}, // known only if it is zero
+               "tilt", {.needs = Needs::unknown_tilt}),
     searched(Quantity::extent, "extent", "extent", Group::extent, units::length),
     searched(Quantity::measure, "measure", "measure", Group::extent, units::length),
-    value<Def::Place::edge, &BallLevel::slip_size, nullptr>(Quantity::slip, "slip", "slip-zone",
-                                                            Group::slip, units::length)
-        .needing(Needs::friction)
-        .explained("size of the slip zone")
-        .by("stick zone"),
-    of_stick<&BallLevel::stick_edge<Edge::right>>(Quantity::stick_a, "stick_a", "stick-right-edge",
-                                                  units::length)
-        .explained("right edge of the stick zone"),
-    of_stick<&BallLevel::stick_edge<Edge::left>>(Quantity::stick_b, "stick_b", "stick-left-edge",
-                                                 units::length)
-        .explained("left edge of the stick zone"),
-    row(Quantity::residual, "", "residual", Group::pressure, Def::Place::point, units::number)
-        .with_index(Def::Index::terms),
-    row(Quantity::tilt_difference, "", "tilt-difference", Group::pressure, Def::Place::point,
-        units::stress)
-        .labelled("p minus p without tilt"),
-    of_contact<&BallLevel::peak, &ExactValues::peak>(Quantity::p_max, "p_max", "peak-pressure",
-                                                     Group::peak, units::stress)
-        .explained("the greatest pressure")
-        .by([](const Scene& s) {
-            return peaks_in_the_middle(s) ? "at the origin" : "branch and bound";
-        }),
-    of_stick<&BallLevel::cycle_energy>(Quantity::cycle_energy, "cycle_energy", "cycle-energy",
-                                       units::moment)
-        .needing(Needs::friction_alone)
-        .explained("the energy dissipated by friction in a cycle")
-        .by([](const Scene& s) { return s.history ? "superposition" : "Mindlin's loop"; })
-        .with(&Def::may_be_missing, true),
-    at_point<&BallLevel::x, &ExactValues::x>(Quantity::x, "", "coordinate", Group::pressure,
-                                             units::length)
-        .labelled("x")
-        .by("given")
-        .with(&Def::cancels_little, true),
-    at_point<&BallLevel::u, &ExactValues::u>(Quantity::u, "", "distance", Group::pressure,
-                                             units::length)
-        .labelled("u")
-        .by("given")
-        .with(&Def::cancels_little, true),
-    sum_row<false>(Quantity::local, "local", "local-pressure"),
-    error_row<false>(Quantity::rel, "rel", "relative-error"),
-    sum_row<true>(Quantity::q_local, "q_local", "local-shear"),
-    error_row<true>(Quantity::q_rel, "q_rel", "relative-error-of-shear"),
+    row(Quantity::slip, "slip", "slip-zone", Group::slip, Place::edge, units::length,
+        balls([](BallLevel& l, Asked v) { return l.slip_size(v.edge); }), "stick zone",
+        {.needs = Needs::friction, .meaning = "size of the slip zone"}),
+    of_slip(Quantity::stick_a, "stick_a", "stick-right-edge", units::length, "stick zone",
+            [](BallLevel&, Slip slip) { return slip.stick().a; },
+            {.meaning = "right edge of the stick zone"}),
+    of_slip(Quantity::stick_b, "stick_b", "stick-left-edge", units::length, "stick zone",
+            [](BallLevel&, Slip slip) { return slip.stick().b; },
+            {.meaning = "left edge of the stick zone"}),
+    row(Quantity::p_max, "p_max", "peak-pressure", Group::peak, Place::contact, units::stress,
+        both([](auto& l, Asked) { return l.peak(); }), peak, {.meaning = "the greatest pressure"}),
+    of_slip(Quantity::cycle_energy, "cycle_energy", "cycle-energy", units::moment, cycle,
+            [](BallLevel& l, Slip slip) { return l.cycle_energy(slip); },
+            {.needs = Needs::friction_alone,
+             .meaning = "the energy dissipated by friction in a cycle",
+             .may_be_missing = true}),
+    at_point(Quantity::x, "", "coordinate", units::length,
+             both([](auto& l, Asked v) { return l.x(v.edge, l.place(v)); }), "given",
+             {.label = "x", .cancels_little = true}),
+    at_point(Quantity::u, "", "distance", units::length,
+             {[](BallLevel& l, Asked v) { return l.distance(v.distance()); },
+              [](ExactValues& l, Asked v) { return l.place(v); }},
+             "given", {.label = "u", .cancels_little = true}),
+    sum<false>(Quantity::local, "local", "local-pressure"),
+    error<false>(Quantity::rel, "rel", "relative-error"),
+    sum<true>(Quantity::q_local, "q_local", "local-shear"),
+    error<true>(Quantity::q_rel, "q_rel", "relative-error-of-shear"),
     searched(Quantity::extent_fraction, "extent_fraction", "extent-fraction", Group::extent,
              units::number),
     searched(Quantity::measure_fraction, "measure_fraction", "measure-fraction", Group::extent,
              units::number),
     searched(Quantity::crossing, "crossing", "crossing", Group::extent, units::length),
-    of_stick<&BallLevel::load_ratio>(Quantity::load_ratio, "", "load-ratio", units::number)
-        .labelled("load_ratio"),
-    of_stick<&BallLevel::tension_limit<Edge::right>>(Quantity::least_tension, "",
-                                                     "least-bulk-tension", units::stress)
-        .labelled("least_tension")
-        .with(&Def::may_be_missing, true),
-    of_stick<&BallLevel::tension_limit<Edge::left>>(Quantity::most_tension, "", "most-bulk-tension",
-                                                    units::stress)
-        .labelled("most_tension")
-        .with(&Def::may_be_missing, true),
+    of_slip(Quantity::load_ratio, "", "load-ratio", units::number, "stick zone",
+            [](BallLevel&, Slip slip) { return slip.load_ratio(); }, {.label = "load_ratio"}),
+    of_slip(Quantity::least_tension, "", "least-bulk-tension", units::stress, "stick zone",
+            [](BallLevel& l, Slip slip) { return l.tension_limit(slip, Edge::right); },
+            {.label = "least_tension", .may_be_missing = true}),
+    of_slip(Quantity::most_tension, "", "most-bulk-tension", units::stress, "stick zone",
+            [](BallLevel& l, Slip slip) { return l.tension_limit(slip, Edge::left); },
+            {.label = "most_tension", .may_be_missing = true}),
     searched(Quantity::slip_terms, "slip_terms", "slip-zone-by-terms", Group::slip, units::length),
     searched(Quantity::slip_rel, "slip_rel", "relative-error-of-slip-zone", Group::slip,
              units::number),
     searched(Quantity::slip_load, "slip_load", "slip-load", Group::slip, units::number),
-    stress<&BallLevel::sxx>(Quantity::sxx, "sxx", "sxx"),
-    stress<&BallLevel::szz>(Quantity::szz, "szz", "szz"),
-    stress<&BallLevel::sxz>(Quantity::sxz, "sxz", "sxz"),
-    stress<&BallLevel::mises>(Quantity::mises, "mises", "mises").needing(Needs::poisson),
-    stress<&BallLevel::tau_max>(Quantity::tau_max, "tau_max", "tau_max"),
-    stress<&BallLevel::syy>(Quantity::syy, "syy", "syy").needing(Needs::poisson),
-    stress<&BallLevel::principal<0>>(Quantity::s1, "s1").needing(Needs::poisson),
-    stress<&BallLevel::principal<1>>(Quantity::s2, "s2").needing(Needs::poisson),
-    stress<&BallLevel::principal<2>>(Quantity::s3, "s3").needing(Needs::poisson),
-    stress<&BallLevel::tresca>(Quantity::tresca, "tresca", "tresca").needing(Needs::poisson),
-    of_stick<&BallLevel::step_energy>(Quantity::step_energy, "step_energy", "step-energy",
-                                      units::moment)
-        .needing(Needs::history)
-        .explained("the energy dissipated by friction in the last step")
-        .by("superposition")
-        .with(&Def::may_be_missing, true),
-    on_surface<&BallLevel::gap>(Quantity::gap, "gap"),
-    on_surface<&BallLevel::slip_displacement>(Quantity::slip_displacement, "slip")
-        .labelled("slip_displacement"),
-    of_contact<&BallLevel::approach, &ExactValues::approach>(Quantity::delta, "delta", "approach",
-                                                             Group::contact, units::length)
-        .needing(Needs::round)
-        .explained("approach of the bodies")
-        .by(way_of_integral),
-    of_contact<&BallLevel::stiffness, &ExactValues::stiffness>(
-        Quantity::stiffness, "stiffness", "contact-stiffness", Group::contact, units::force)
-        .needing(Needs::round)
-        .explained("contact stiffness dP/d delta")
-        .by("closed-form"),
-    of_surface<&BallLevel::ux>(Quantity::ux, "ux", units::length).needing(Needs::reference),
-    of_surface<&BallLevel::uz>(Quantity::uz, "uz", units::length).needing(Needs::reference),
-    of_surface<&BallLevel::surface_slope>(Quantity::slope, "slope", units::number)
-        .needing(Needs::reference),
-    of_surface<&BallLevel::dissipation>(Quantity::dissipation, "dissipation", units::force)
-        .needing(Needs::cycle),
+    stress<&contact::StressState::sxx>(Quantity::sxx, "sxx"),
+    stress<&contact::StressState::szz>(Quantity::szz, "szz"),
+    stress<&contact::StressState::sxz>(Quantity::sxz, "sxz"),
+    stress<&contact::StressState::mises>(Quantity::mises, "mises"),
+    stress<&contact::StressState::tau_max>(Quantity::tau_max, "tau_max"),
+    stress<&contact::StressState::syy>(Quantity::syy, "syy"),
+    stress<principal<0>>(Quantity::s1, "s1", false),
+    stress<principal<1>>(Quantity::s2, "s2", false),
+    stress<principal<2>>(Quantity::s3, "s3", false),
+    stress<&contact::StressState::tresca>(Quantity::tresca, "tresca"),
+    of_slip(Quantity::step_energy, "step_energy", "step-energy", units::moment, "superposition",
+            [](BallLevel& l, Slip) { return l.step_energy(); },
+            {.needs = Needs::history,
+             .meaning = "the energy dissipated by friction in the last step",
+             .may_be_missing = true}),
+    on_surface<&BallLevel::gap>(Quantity::gap, "gap", units::length, Group::displacement),
+    on_surface<&BallLevel::slip_displacement>(Quantity::slip_displacement, "slip_displacement",
+                                              units::length, Group::displacement, Needs::nothing,
+                                              "slip"),
+    of_contact(Quantity::delta, "delta", "approach", units::length,
+               both([](auto& l, Asked) { return l.approach(); }), integral,
+               {.needs = Needs::round, .meaning = "approach of the bodies"}),
+    of_contact(Quantity::stiffness, "stiffness", "contact-stiffness", units::force,
+               both([](auto& l, Asked) { return l.stiffness(); }), "closed-form",
+               {.needs = Needs::round, .meaning = "contact stiffness dP/d delta"}),
+    on_surface<&BallLevel::ux>(Quantity::ux, "ux", units::length, Group::surface, Needs::reference),
+    on_surface<&BallLevel::uz>(Quantity::uz, "uz", units::length, Group::surface, Needs::reference),
+    on_surface<&BallLevel::surface_slope>(Quantity::slope, "slope", units::number, Group::surface,
+                                          Needs::reference),
+    on_surface<&BallLevel::dissipation>(Quantity::dissipation, "dissipation", units::force,
+                                        Group::surface, Needs::cycle),
 });
 
 /// The rows are in the order of QuantityGroup.
@@ -401,9 +314,9 @@ constexpr std::array group_table{
     GroupRow{.group = QuantityGroup::slip, .name = "slip", .friction = true},
     GroupRow{.group = QuantityGroup::contact, .name = "contact"},
     GroupRow{.group = QuantityGroup::peak, .name = "peak"},
-    GroupRow{.group = QuantityGroup::stress, .name = "stress", .of_bodies = true},
-    GroupRow{.group = QuantityGroup::displacement, .name = "displacement", .of_bodies = true},
-    GroupRow{.group = QuantityGroup::surface, .name = "surface", .of_bodies = true},
+    GroupRow{.group = QuantityGroup::stress, .name = "stress"},
+    GroupRow{.group = QuantityGroup::displacement, .name = "displacement"},
+    GroupRow{.group = QuantityGroup::surface, .name = "surface"},
 };
 
 template <class Table> consteval bool is_in_order(const Table& table, auto key) {
@@ -422,13 +335,6 @@ static_assert(is_in_order(group_table, &GroupRow::group));
 std::span<const QuantityRow> quantity_rows() { return quantity_table; }
 const QuantityRow& row_of(Quantity quantity) {
     return quantity_table.at(static_cast<std::size_t>(quantity));
-}
-const QuantityRow& evaluated_row(Quantity quantity) {
-    const QuantityRow& row = row_of(quantity);
-    if (!row.searched && row.ball == nullptr) {
-        throw Error("a " + std::string(row.name) + " is made of other quantities");
-    }
-    return row;
 }
 std::span<const GroupRow> group_rows() { return group_table; }
 

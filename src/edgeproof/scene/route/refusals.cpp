@@ -50,8 +50,7 @@ void SceneValues::refuse_unknown(const QuantityRow& row, const AskedValue& asked
         if (u.number() && u.number()->sign() == 0) {
             throw DomainError("the point is on an edge");
         }
-        refuse_corner_at(u);
-        refuse_known_corner(asked.edge, u);
+        refuse_corner(asked.edge, u);
         if (std::ranges::any_of(first_->contact().corners(asked.edge), [&](const Ball& corner) {
                 return overlaps(corner, first_->distance(u));
             })) {
@@ -70,23 +69,19 @@ void SceneValues::refuse_outside(Edge edge, const Distance& u) {
         return;
     }
     const Rational* distance = u.number()->expr().rational();
-    const bool inside = known_length_ && distance != nullptr
-                            ? *distance < *known_length_
-                            : certainly_less(u.enclosure({}, {}, length_.bits()), length_);
-    const bool outside = u.number()->sign() < 0 ||
-                         (known_length_ && distance != nullptr
-                              ? *distance > *known_length_
-                              : certainly_less(length_, u.enclosure({}, {}, length_.bits())));
-    if (outside) {
+    const Ball from = u.enclosure({}, {}, length_.bits());
+    const bool exact = known_length_ && distance != nullptr;
+    if (u.number()->sign() < 0 ||
+        (exact ? *distance > *known_length_ : certainly_less(length_, from))) {
         throw OutsideContact();
     }
-    if (!inside) {
+    if (!(exact ? *distance < *known_length_ : certainly_less(from, length_))) {
         throw DomainError("the point is on an edge, or cannot be distinguished from it");
     }
 }
 
 void SceneValues::refuse_outside_by_edges(Edge edge, const Distance& u) {
-    refuse_corner_at(u);
+    refuse_corner(edge, u);
     bool outside = false;
     const bool inside = raise(plan_.bits, 8 * plan_.bits, [&](const BallLevel& level) {
         const Ball from = level.distance(u);
@@ -105,27 +100,14 @@ void SceneValues::refuse_outside_by_edges(Edge edge, const Distance& u) {
                               : "the point is on a corner, or cannot be distinguished from it");
 }
 
-void SceneValues::refuse_corner_at(const Distance& u) const {
-    if (!u.x() || !scene_.profile) {
-        return;
-    }
-    const auto& knots = scene_.profile->knots();
-    for (std::size_t i = 0; i < knots.size(); ++i) {
+void SceneValues::refuse_corner(Edge edge, const Distance& u) const {
+    const auto x = scene_.profile ? first_->known_x(edge, u) : std::nullopt;
+    for (std::size_t i = 0; x && i < scene_.profile->knots().size(); ++i) {
         if (scene_.profile->has_corner(i) &&
-            contact::certainly_zero(knots[i].expr() - u.x()->expr())) {
-            throw DomainError("the point is on a corner, where the pressure is infinite");
-        }
-    }
-}
-
-void SceneValues::refuse_known_corner(Edge edge, const Distance& u) {
-    const auto from = first_->contact().known(edge);
-    for (std::size_t i = 0; from && u.number() && i < scene_.profile->knots().size(); ++i) {
-        const Expr inside = from->expr() - u.number()->expr();
-        const Expr& v = scene_.profile->knots()[i].expr();
-        if (scene_.profile->has_corner(i) &&
-            contact::certainly_zero(edge == Edge::right ? inside - v : inside + v)) {
-            throw DomainError("the pressure is infinite at a corner of the profile");
+            contact::certainly_zero(scene_.profile->knots()[i].expr() - x->expr())) {
+            throw DomainError(u.number() ? "the pressure is infinite at a corner of the profile"
+                                         : "the point is on a corner, where the pressure is "
+                                           "infinite");
         }
     }
 }

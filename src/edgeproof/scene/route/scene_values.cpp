@@ -53,24 +53,13 @@ void SceneValues::solve() {
     } else {
         refuse_contact();
     }
-    const bool by_force = scene_.load.kind != Load::Kind::right_edge;
-    if (const auto given = by_force ? std::nullopt : rational_of(scene_.load.value)) {
-        known_[Edge::right] = *given;
-        if (scene_.symmetric()) {
-            known_[Edge::left] = *given;
-        }
-    }
-    if (by_force) {
-        know(Edge::right);
-    }
-    know(Edge::left);
-    if (known_.size() == 2) {
-        known_length_ = known_.at(Edge::right) + known_.at(Edge::left);
-    }
+    const auto a = known(Edge::right);
+    const auto b = known(Edge::left);
+    known_length_ = a && b ? std::optional(Rational(*a + *b)) : std::nullopt;
 }
 
 BoundedValue SceneValues::value(const AskedValue& asked) {
-    const QuantityRow& row = evaluated_row(asked.quantity);
+    const QuantityRow& row = row_of(asked.quantity);
     if (row.searched) {
         const Row& found = searched(asked);
         if (asked.quantity == Quantity::extent && !found.reached) {
@@ -106,8 +95,11 @@ BoundedValue SceneValues::value(const AskedValue& asked) {
     if (asked.quantity == Quantity::x || asked.quantity == Quantity::u) {
         const Distance u = asked.distance();
         refuse_outside(asked.edge, u);
-        if (const auto x = asked.quantity == Quantity::x ? known_x(asked.edge, u) : std::nullopt) {
-            return proved(Ball(*x, std::max(length_.bits(), least_bits_of_a_place)), x);
+        if (const auto x =
+                asked.quantity == Quantity::x ? first_->known_x(asked.edge, u) : std::nullopt;
+            x && rational_of(*x)) {
+            const Rational at = *rational_of(*x);
+            return proved(Ball(at, std::max(length_.bits(), least_bits_of_a_place)), at);
         }
     }
     Exactly exactly;
@@ -120,8 +112,8 @@ BoundedValue SceneValues::value(const AskedValue& asked) {
     if (!found) {
         refuse_unknown(row, asked);
     }
-    if (row.distance_of && known(*row.distance_of)) {
-        found->exactly = known(*row.distance_of);
+    if (const auto q = row.distance_of ? known(*row.distance_of) : std::nullopt) {
+        found->exactly = q;
     }
     return proved(std::move(found->value), std::move(found->exactly));
 }
@@ -159,36 +151,25 @@ BoundedValue SceneValues::by_witness(const AskedValue& asked) {
 }
 
 const Row& SceneValues::searched(const AskedValue& asked) {
-    auto& rows = searched_[{row_of(asked.quantity).group, asked.edge, asked.k}];
-    if (rows.empty()) {
-        rows = search(asked);
-    }
-    if (const Row* row = RowsAt(rows).find(asked.quantity, asked.k, asked.j)) {
+    if (const Row* row = RowsAt(search(asked)).find(asked.quantity, asked.k, asked.j)) {
         return *row;
     }
     throw Error("a " + std::string(row_of(asked.quantity).name) + " was not found");
 }
 
-std::vector<Row> SceneValues::search(const AskedValue& asked) {
-    const AskedValue of{asked.quantity, asked.k, asked.edge, {}, scene_.ask.tolerance};
-    if (row_of(asked.quantity).group == QuantityGroup::slip) {
-        check_slip();
-        return slip_terms(of);
+const std::vector<Row>& SceneValues::search(const AskedValue& asked) {
+    const QuantityGroup group = row_of(asked.quantity).group;
+    std::vector<Row>& rows = searched_[{group, asked.edge, asked.k}];
+    if (rows.empty()) {
+        const AskedValue of{asked.quantity, asked.k, asked.edge, {}, scene_.ask.tolerance};
+        rows = group == QuantityGroup::slip ? slip_terms(of) : extent(of);
     }
-    return extent(of);
+    return rows;
 }
 
 std::optional<Rational> SceneValues::known(Edge edge) const {
-    const auto found = known_.find(edge);
-    return found == known_.end() ? std::nullopt : std::optional(found->second);
-}
-
-void SceneValues::know(Edge edge) {
-    if (const auto exact = first_->contact().known(edge)) {
-        if (const auto rational = rational_of(*exact)) {
-            known_[edge] = *rational;
-        }
-    }
+    const auto exact = first_->contact().known(edge);
+    return exact ? rational_of(*exact) : std::nullopt;
 }
 
 bool SceneValues::exactly_zero(const AskedValue& asked) {
@@ -221,18 +202,6 @@ bool SceneValues::on_edge(const Distance& from_right) {
         return at && contact::certainly_zero(at->expr() - x);
     };
     return from_right.x() && (is_zero(Edge::right) || is_zero(Edge::left));
-}
-
-std::optional<Rational> SceneValues::known_x(Edge edge, const Distance& u) const {
-    if (const auto given = u.x() ? rational_of(*u.x()) : std::nullopt) {
-        return given;
-    }
-    const auto from = known(edge);
-    const Rational* distance = u.number() ? u.number()->expr().rational() : nullptr;
-    if (!from || distance == nullptr) {
-        return {};
-    }
-    return edge == Edge::right ? Rational(*from - *distance) : Rational(*distance - *from);
 }
 
 long SceneValues::last_bits() const {

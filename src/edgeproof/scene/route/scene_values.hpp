@@ -39,7 +39,10 @@ public:
 
     [[nodiscard]] const Plan& plan() const { return plan_; }
     /// Changes the part over which extents are searched for.
-    void look_at(const contact::ExtentRange& part) { scene_.ask.part = part; }
+    void look_at(const contact::ExtentRange& part) {
+        scene_.ask.part = part;
+        searched_.clear();
+    }
 
     /// One number, by the evaluators of its row (quantity.hpp), at the place of one that the scene
     /// asks for or at another one (to the same tolerance). Throws DomainError if there is no value
@@ -54,12 +57,13 @@ public:
     /// The rows of a search for a quantity with `searched`, with the edge and the number of terms
     /// of `asked`. Extents: the first exit, the measure, both as fractions of a + b, and all
     /// crossings, for the tolerance of the scene. Slip zones: the size by these terms, the error,
-    /// and with a tolerance the load ratio up to which the error stays within it.
-    [[nodiscard]] std::vector<Row> search(const AskedValue& asked);
+    /// and with a tolerance the load ratio up to which the error stays within it. The search at
+    /// each place is made once.
+    [[nodiscard]] const std::vector<Row>& search(const AskedValue& asked);
     /// True if |sigma_0 (a + b)/Q| < 8/pi: both edges slip in the direction of Q from the beginning
     /// of loading if Q and sigma_0 grow in proportion.
     [[nodiscard]] bool in_proportion();
-    /// The row of a quantity with `searched`. The search at each place is made once.
+    /// The row of a quantity with `searched`.
     [[nodiscard]] const Row& searched(const AskedValue& asked);
 
     /// Calls f with levels of `bits`, 2 `bits`, ... up to `most` bits until it returns true;
@@ -105,8 +109,6 @@ private:
     void check_slope();
     /// The distance of an edge from the origin, if it is known to be a rational number.
     [[nodiscard]] std::optional<Rational> known(Edge edge) const;
-    /// Stores that distance.
-    void know(Edge edge);
     /// True if a value is proved to be 0 by its definition, where a ball would only contain 0.
     [[nodiscard]] bool exactly_zero(const AskedValue& asked);
     /// True if a place, by its distance from the right edge, is proved to be an edge.
@@ -115,17 +117,12 @@ private:
     /// a place given by the edges that many bits do not separate from a corner.
     void refuse_outside(Edge edge, const Distance& u);
     void refuse_outside_by_edges(Edge edge, const Distance& u);
-    /// If x is a number, exact algebra decides.
-    void refuse_corner_at(const Distance& u) const;
-    /// The same for a distance from an edge that is known exactly.
-    void refuse_known_corner(Edge edge, const Distance& u);
+    /// Refuses a corner where exact algebra knows x.
+    void refuse_corner(Edge edge, const Distance& u) const;
     /// Throws an Error with the reason why no number of bits encloses a value.
     [[noreturn]] void refuse_unknown(const QuantityRow& row, const AskedValue& asked);
     /// p by the second route of the scene, with its estimated error.
     [[nodiscard]] BoundedValue by_witness(const AskedValue& asked);
-    /// The coordinate x of the point u, which is inside the contact, if it is known to be a
-    /// rational number.
-    [[nodiscard]] std::optional<Rational> known_x(Edge edge, const Distance& u) const;
 
     /// The rows of an extent, proved by the signs of the error between the crossings. Throws
     /// BudgetError if the budget does not decide.
@@ -168,7 +165,6 @@ private:
     BallLevel* first_ = nullptr; ///< the level of the fewest bits that enclose a + b
     Ball length_;                ///< a + b
     std::optional<Rational> known_length_;
-    std::map<Edge, Rational> known_;
 
     bool slip_checked_ = false;
     BallLevel* slip_level_ = nullptr; ///< a level that encloses the slip

@@ -11,11 +11,10 @@
 namespace edgeproof::scenes {
 
 struct AskedExtent {
-    Profile profile;
-    Load load;
+    Contact contact;
     Edge edge;
     std::size_t n;
-    const char* tolerance;
+    std::string tolerance;
     ExtentRange range = {};
 };
 
@@ -26,7 +25,8 @@ template <class C>
         [&](long b) -> const ProvedContact& {
             auto& slot = made[b];
             if (!slot) {
-                slot = std::make_unique<C>(asked.profile, exact("7/3"), asked.load, b);
+                slot = std::make_unique<C>(asked.contact.profile, asked.contact.modulus,
+                                           asked.contact.load, b);
             }
             return *slot;
         },
@@ -37,7 +37,7 @@ template <class C>
 /// Returns the fault of extents, by pressures of the witness: the error is the tolerance at the
 /// crossings, and smaller before the first one. Empty if there is none.
 inline std::string fault_by_witness(const AskedExtent& asked, const EnclosedExtents& x) {
-    const Witness contact(asked.profile, exact("7/3"), asked.load, 25);
+    const Witness contact(asked.contact.profile, asked.contact.modulus, asked.contact.load, 25);
     const PrecisionScope scope(50);
     const std::vector<Real> c = contact.coefficients(asked.edge, asked.n);
     const auto error = [&](const Real& u) { // in units of the tolerance

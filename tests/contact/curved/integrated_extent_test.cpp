@@ -36,24 +36,17 @@ std::string fault(const EnclosedExtents& x, const EnclosedExtents& y) {
 
 // Compares integrals and Cauchy's bounds with logarithms and their derivatives.
 TEST_CASE("extents by rigorous integrals are those of the closed forms, where there are both") {
-    const Load unit = Load::right_edge(exact("1"));
+    const std::string wedge = "tilted-wedge phi=pi/16 alpha=pi/20 ";
+    const std::string pad = "flat-and-rounded R=1 ";
     const std::vector<AskedExtent> all = {
-        {Profile::flat_and_rounded(exact("2/5"), exact("1")), unit, Edge::right, 2, "1/20"},
-        {Profile::flat_and_rounded(exact("2/5"), exact("1")), Load::force(exact("1/5")), Edge::left,
-         1, "1/100"},
-        {Profile::tilted_wedge(exact("pi/16"), exact("pi/20")), unit, Edge::left, 2, "1/100"},
-        {Profile::tilted_wedge(exact("pi/16"), exact("pi/20")), Load::force(exact("1/10")),
-         Edge::right, 3, "1e-9"},
-        {Profile::tilted_flat_and_rounded(exact("pi/16"), exact("1"), exact("2")),
-         Load::right_edge(exact("3")), Edge::left, 2, "1/20"},
-        {Profile::flat_and_rounded(exact("4/5"), exact("1")),
-         unit,
-         Edge::right,
-         1,
-         "1/100",
-         {exact("1/1000"), exact("1/2")}}};
+        {contact_of(pad + "t=2/5 a=1"), Edge::right, 2, "1/20"},
+        {contact_of(pad + "t=2/5 P=1/5"), Edge::left, 1, "1/100"},
+        {contact_of(wedge + "a=1"), Edge::left, 2, "1/100"},
+        {contact_of(wedge + "P=1/10"), Edge::right, 3, "1e-9"},
+        {contact_of("tilted-flat-and-rounded alpha=pi/16 t=1 R=2 a=3"), Edge::left, 2, "1/20"},
+        {contact_of(pad + "t=4/5 a=1"), Edge::right, 1, "1/100", {exact("1/1000"), exact("1/2")}}};
     for (const AskedExtent& asked : all) {
-        CAPTURE(asked.profile.kind_name());
+        CAPTURE(asked.contact.name);
         CHECK(fault(enclosed<IntegratedContact>(asked, 262), enclosed<BallContact>(asked, 262)) ==
               "");
     }
@@ -61,15 +54,13 @@ TEST_CASE("extents by rigorous integrals are those of the closed forms, where th
 
 TEST_CASE("extents of curved slopes, with corners and bends, symmetric or not" *
           doctest::test_suite("slow")) {
-    const Contact own = own_symmetric();
-    const Profile tilted = own_tilted().profile;
-    const Load a = Load::right_edge(exact("4/5"));
-    const std::vector<AskedExtent> all = {
-        {own.profile, own.load, Edge::right, 1, "1/100"},
-        {own.profile, own.load, Edge::right, 3, "1e-6"},
-        {tilted, a, Edge::right, 2, "1/20"},
-        {tilted, a, Edge::left, 1, "1/100"},
-        {tilted, Load::force(exact("1/3")), Edge::left, 2, "1/20"}};
+    Contact loaded = own_tilted();
+    loaded.load = Load::force(exact("1/3"));
+    const std::vector<AskedExtent> all = {{own_symmetric(), Edge::right, 1, "1/100"},
+                                          {own_symmetric(), Edge::right, 3, "1e-6"},
+                                          {own_tilted(), Edge::right, 2, "1/20"},
+                                          {own_tilted(), Edge::left, 1, "1/100"},
+                                          {loaded, Edge::left, 2, "1/20"}};
     for (const AskedExtent& asked : all) {
         CAPTURE(asked.n);
         CHECK(fault_by_witness(asked, enclosed<IntegratedContact>(asked, 262)) == "");
@@ -77,30 +68,32 @@ TEST_CASE("extents of curved slopes, with corners and bends, symmetric or not" *
 }
 
 TEST_CASE("an undecided case is not guessed: a crossing on the range's end, b on a knot") {
-    const std::string inside = "((1 + x)^2 - 1 - x^2)/2";
-    const Profile straight = curve("", inside, true);
+    const std::string inside = "((1+x)^2-1-x^2)/2";
+    const auto integrals = [](const Contact& c) {
+        return IntegratedContact(c.profile, c.modulus, c.load, 200);
+    };
     // The error of one term of Hertz is 1 at 3/4 of the contact.
-    CHECK_THROWS_AS((void)enclosed<IntegratedContact>({straight,
-                                                       Load::right_edge(exact("1")),
-                                                       Edge::right,
-                                                       1,
-                                                       "1",
-                                                       {exact("0"), exact("3/4")}}),
-                    BudgetError);
+    CHECK_THROWS_AS(
+        (void)enclosed<IntegratedContact>({contact_of("piecewise symmetric a=1 slopes=" + inside),
+                                           Edge::right,
+                                           1,
+                                           "1",
+                                           {exact("0"), exact("3/4")}}),
+        BudgetError);
     // b = 1 = a, because g' = x in the contact, with a bend at -1: exact algebra shows this. c_0 of
     // Hertz's sqrt(u (2 - u))/2 is sqrt(2)/2.
-    const Profile bent = curve("-1; 0", "2*x + 1; " + inside + "; " + inside);
-    const IntegratedContact odd(bent, exact("1"), Load::right_edge(exact("1")), 200);
+    const IntegratedContact odd =
+        integrals(contact_of("piecewise knots=-1;0 a=1 E=1 slopes=2*x+1;" + inside + ";" + inside));
     CHECK(odd.known(Edge::left).has_value());
     CHECK(overlaps(odd.expansion(Edge::left, 1)[0], sqrt(Ball(2, 200)) / 2));
     // Exact algebra does not know that sinh is (e^x - e^-x)/2.
-    const Profile hidden = curve("-1; 0", "sinh(x) + x + 1; (exp(x) - exp(-x))/2; sinh(x)");
-    const IntegratedContact on_knot(hidden, exact("1"), Load::right_edge(exact("1")), 200);
+    const Contact hidden =
+        contact_of("piecewise knots=-1;0 a=1 slopes=sinh(x)+x+1;(exp(x)-exp(-x))/2;sinh(x)");
+    const IntegratedContact on_knot = integrals(hidden);
     CHECK(contains(on_knot.b(), Rational(1)));
     CHECK(on_knot.edge_may_be_on_knot());
     CHECK_FALSE(on_knot.expansion(Edge::left, 1)[0].is_finite());
-    CHECK_THROWS_AS((void)enclosed<IntegratedContact>(
-                        {hidden, Load::right_edge(exact("1")), Edge::left, 1, "1/100"}),
+    CHECK_THROWS_AS((void)enclosed<IntegratedContact>({hidden, Edge::left, 1, "1/100"}),
                     BudgetError);
 }
 

@@ -1,44 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/design/edge_function.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
-#include "edgeproof/contact/enclosure/ball_extent.hpp"
 #include "edgeproof/precision/ball/acb_values.hpp"
 #include "edgeproof/precision/ball/arb_values.hpp"
 #include "tests/contact/design/families.hpp"
-#include "tests/support/namespaces.hpp"
+#include "tests/contact/extents.hpp"
+
 #include <doctest/doctest.h>
 
-#include <map>
 #include <memory>
 #include <string>
 
 using namespace edgeproof::families;
-using namespace edgeproof;
-using namespace edgeproof::contact;
 
 namespace {
 
-using formula::Exact;
-
 /// The first exit over a + b by the search of `edgeproof extent`, which shares no formula with a
 /// design.
-Ball reach_by_extent(const Profile& profile, std::size_t n, const Rational& tolerance) {
-    std::map<long, std::unique_ptr<BallContact>> made;
-    BallExtentSearch search(
-        [&](long bits) -> const BallContact& {
-            auto& contact = made[bits];
-            if (!contact) {
-                contact = std::make_unique<BallContact>(profile, Exact::of(1),
-                                                        Load::right_edge(Exact::of(1)), bits);
-            }
-            return *contact;
-        },
-        Edge::right, n, Exact::of(tolerance), {});
-    const EnclosedExtents found = search.at(256);
-    return found.first_exit / found.length;
-}
 Ball reach_of_power_law(const Rational& m, std::size_t n, const Rational& tolerance) {
-    return reach_by_extent(Profile::power_law(Exact::of(1), Exact::of(m)), n, tolerance);
+    const EnclosedExtents found = scenes::enclosed<BallContact>(
+        {scenes::contact_of("power-law C=1 a=1 m=" + m.str()), Edge::right, n, tolerance.str()},
+        256);
+    return found.first_exit / found.length;
 }
 
 struct PowerLawDesign {

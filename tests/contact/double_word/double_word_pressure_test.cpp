@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/double_word/double_word_pressure.hpp"
-#include "edgeproof/contact/witness/witness.hpp"
-#include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/precision/split_mix.hpp"
-#include "tests/support/namespaces.hpp"
+#include "tests/contact/scenes.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,49 +11,41 @@
 #include <limits>
 #include <vector>
 
-using namespace edgeproof;
+using namespace edgeproof::scenes;
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Exact given(const char* text) { return Exact::parse(text); }
-
-struct Pressed {
-    Profile profile;
-    Load load;
-
-    [[nodiscard]] BallContact balls(long bits = DoubleWordPressure::contact_bits) const {
-        return {profile, given("7/3"), load, bits};
-    }
-    [[nodiscard]] DoubleWordPressure words() const { return {profile, balls()}; }
-};
-
-std::vector<Pressed> pressed() {
-    const auto a = [](const char* text) { return Load{Load::Kind::right_edge, given(text)}; };
-    const auto P = [](const char* text) { return Load{Load::Kind::force, given(text)}; };
-    return {{Profile::power_law(given("1/3"), given("1")), a("2")},
-            {Profile::power_law(given("0.1"), given("0")), P("7")},
-            {Profile::flat_and_rounded(given("1/2"), given("30")), P("1e-3")},
-            {Profile::tilted_wedge(given("1/10"), given("1/11")), a("1e9")},
-            {Profile::tilted_flat_and_rounded(given("1/100"), given("2/5"), given("1")), P("1/5")},
-            {Profile::power_law(given("1/3"), given("1/2")), P("3")},
-            {Profile::power_law(given("2"), given("3/2")), a("1/7")},
-            {Profile::power_law(given("1"), given("2")), a("1")},
-            {Profile::power_law(given("1e-5"), given("3")), P("1e3")},
-            {Profile::power_law(given("0.2"), given("9/2")), a("5")},
-            {Profile::power_law(given("0.2"), given("10")), P("1e-6")},
-            {Profile::power_law(given("3"), given("63/2")), a("9/8")}};
+BallContact balls_of(const Contact& c, long bits = DoubleWordPressure::contact_bits) {
+    return {c.profile, c.modulus, c.load, bits};
 }
+DoubleWordPressure words_of(const std::string& words) {
+    const Contact c = contact_of(words);
+    return {c.profile, balls_of(c)};
+}
+
+const std::vector<std::string> pressed{"power-law m=1 C=1/3 a=2",
+                                       "power-law m=0 C=0.1 P=7",
+                                       "flat-and-rounded t=1/2 R=30 P=1e-3",
+                                       "tilted-wedge phi=1/10 alpha=1/11 a=1e9",
+                                       "tilted-flat-and-rounded alpha=1/100 t=2/5 R=1 P=1/5",
+                                       "power-law m=1/2 C=1/3 P=3",
+                                       "power-law m=3/2 C=2 a=1/7",
+                                       "power-law m=2 C=1 a=1",
+                                       "power-law m=3 C=1e-5 P=1e3",
+                                       "power-law m=9/2 C=0.2 a=5",
+                                       "power-law m=10 C=0.2 P=1e-6",
+                                       "power-law m=63/2 C=3 a=9/8"};
 
 /// Compares drawn places by edges, knots, the apex and in between with balls.
 void compare_with_balls(int draws) {
     SplitMix64 dice(41);
     const auto uniform = [&] { return static_cast<double>(dice.next() >> 11U) * 0x1p-53; };
-    for (const Pressed& c : pressed()) {
-        CAPTURE(c.profile.parameters().begin()->second.text());
-        const DoubleWordPressure pressure = c.words();
-        const BallContact exact = c.balls(400);
+    for (const std::string& words : pressed) {
+        CAPTURE(words);
+        const DoubleWordPressure pressure = words_of(words);
+        const BallContact exact = balls_of(contact_of(words), 400);
         const double length = Ball(exact.a() + exact.b()).midpoint().convert_to<double>();
         std::vector<double> places;
         for (int i = 0; i < draws; ++i) {
@@ -112,10 +102,11 @@ void compare_with_balls(int draws) {
 TEST_CASE("in double words: the binary64 nearest to the singular integral at 40 digits") {
     std::size_t decided = 0;
     std::size_t asked = 0;
-    for (const Pressed& c : pressed()) {
-        const DoubleWordPressure pressure = c.words();
-        const Witness contact(c.profile, given("7/3"), c.load, 40);
-        const double length = (contact.a() + contact.b()).convert_to<double>();
+    for (const std::string& words : pressed) {
+        const DoubleWordPressure pressure = words_of(words);
+        const Contact c = contact_of(words);
+        const Witness witness(c.profile, c.modulus, c.load, 40);
+        const double length = (witness.a() + witness.b()).convert_to<double>();
         for (const Edge edge : {Edge::right, Edge::left}) {
             for (const double u : {1e-40, 1e-9, 0.003, 0.21, 0.4999, 0.73, 1 - 1e-9}) {
                 CAPTURE(u);
@@ -128,7 +119,7 @@ TEST_CASE("in double words: the binary64 nearest to the singular integral at 40 
                 ++decided;
                 // This route uses another formula, by quadrature.
                 CHECK(*p ==
-                      contact.pressure(edge, Exact::of(Rational(at)), Route::singular_integral)
+                      witness.pressure(edge, Exact::of(Rational(at)), Route::singular_integral)
                           .value.convert_to<double>());
             }
         }
@@ -147,10 +138,7 @@ TEST_SUITE("slow") {
 }
 
 TEST_CASE("in double words: outside, on a corner, tiny or not a number") {
-    const DoubleWordPressure wedge = Pressed{
-        Profile::power_law(given("1"), given("0")),
-        {Load::Kind::right_edge,
-         given("1")}}.words();
+    const DoubleWordPressure wedge = words_of("power-law m=0 C=1 a=1");
     for (const double u : {0.0, -0.0, -1.0, 2.0, 3.0, 5e-324, 1e-300, infinity, -infinity,
                            std::numeric_limits<double>::quiet_NaN()}) {
         CAPTURE(u);
@@ -161,31 +149,27 @@ TEST_CASE("in double words: outside, on a corner, tiny or not a number") {
     CHECK(wedge.nearest(Edge::left, 1.0) == infinity);
     CHECK(wedge.nearest(Edge::right, std::nextafter(1.0, 0.0)) < 40);
     CHECK(wedge.nearest(Edge::right, std::nextafter(2.0, 0.0)));
-    const DoubleWordPressure vast = Pressed{
-        Profile::power_law(given("1"), given("0")),
-        {Load::Kind::right_edge,
-         given("1e40")}}.words();
+    const DoubleWordPressure vast = words_of("power-law m=0 C=1 a=1e40");
     CHECK_FALSE(vast.nearest(Edge::right, 1e30));
     // In the middle, where powers of |x| have their singularity.
-    for (const char* m : {"1/2", "3/2", "2", "7"}) {
+    for (const std::string m : {"1/2", "3/2", "2", "7"}) {
         CAPTURE(m);
-        const Pressed c{Profile::power_law(given("1"), given(m)),
-                        {Load::Kind::right_edge, given("3/4")}};
+        const std::string words = "power-law C=1 a=3/4 m=" + m;
         // E* C a^m/(...) I_m(0), I_m(0) = 1/m.
-        CHECK(c.words().nearest(Edge::right, 0.75) ==
-              nearest_binary64(
-                  Ball(c.balls(300).pressure_factor() / Ball(given(m).rational(), 300))));
+        CHECK(words_of(words).nearest(Edge::right, 0.75) ==
+              nearest_binary64(Ball(balls_of(contact_of(words), 300).pressure_factor() /
+                                    Ball(exact(m).rational(), 300))));
     }
-    CHECK_FALSE(DoubleWordPressure::has_form(Profile::power_law(given("1"), given("1/3"))));
-    CHECK_FALSE(DoubleWordPressure::has_form(Profile::power_law(given("1"), given("1000"))));
+    CHECK_FALSE(DoubleWordPressure::has_form(contact_of("power-law m=1/3 C=1 a=1").profile));
+    CHECK_FALSE(DoubleWordPressure::has_form(contact_of("power-law m=1000 C=1 a=1").profile));
 }
 
 TEST_CASE("in double words: a bound that is made too small is caught by its ball") {
     // The radii are needed: without the uncertainty of the edges, places would be decided wrongly.
-    const Pressed c = pressed()[1];
-    const BallContact rough = c.balls(64);
+    const Contact c = contact_of(pressed[1]);
+    const BallContact rough = balls_of(c, 64);
     const DoubleWordPressure pressure(c.profile, rough);
-    const BallContact exact = c.balls(400);
+    const BallContact exact = balls_of(c, 400);
     SplitMix64 dice(7);
     std::size_t undecided = 0;
     std::size_t wrong = 0;
@@ -205,10 +189,7 @@ TEST_CASE("in double words: a bound that is made too small is caught by its ball
 }
 
 TEST_CASE("in double words: a thread that rounds upwards uses another route") {
-    const DoubleWordPressure hertz = Pressed{
-        Profile::power_law(given("1"), given("1")),
-        {Load::Kind::right_edge,
-         given("1")}}.words();
+    const DoubleWordPressure hertz = words_of("power-law m=1 C=1 a=1");
     REQUIRE(hertz.nearest(Edge::right, 0.1));
     const int before = std::fegetround();
     REQUIRE(std::fesetround(FE_UPWARD) == 0);

@@ -10,24 +10,21 @@ using namespace edgeproof::scenes;
 
 TEST_CASE("by pressures of the witness, the error is the tolerance at crossings and less before "
           "the exit") {
-    const auto unit = Load::right_edge(exact("1"));
+    const std::string wedge = "tilted-wedge phi=pi/16 alpha=pi/20 ";
     const std::vector<AskedExtent> all = {
-        {Profile::flat_and_rounded(exact("2/5"), exact("1")), unit, Edge::right, 1, "1/100"},
-        {Profile::flat_and_rounded(exact("4/5"), exact("1")), unit, Edge::right, 3, "1/100"},
-        {Profile::flat_and_rounded(exact("1"), exact("1")), Load::right_edge(exact("1 + 1e-20")),
-         Edge::right, 1, "1/100"},
-        {Profile::power_law(exact("1"), exact("0")), unit, Edge::right, 2, "1/10"},
-        {Profile::power_law(exact("1"), exact("5/8")), unit, Edge::right, 2, "1/100"},
-        {Profile::power_law(exact("1"), exact("10")), unit, Edge::right, 3, "1/50"},
-        {Profile::tilted_wedge(exact("pi/16"), exact("pi/20")), unit, Edge::right, 2, "1/100"},
-        {Profile::tilted_flat_and_rounded(exact("pi/16"), exact("1"), exact("2")),
-         Load::right_edge(exact("3")), Edge::right, 2, "1/20"},
-        {Profile::tilted_wedge(exact("pi/16"), exact("pi/20")), Load::force(exact("1/10")),
-         Edge::right, 1, "1e-9"}};
+        {contact_of("flat-and-rounded t=2/5 R=1 a=1"), Edge::right, 1, "1/100"},
+        {contact_of("flat-and-rounded t=4/5 R=1 a=1"), Edge::right, 3, "1/100"},
+        {contact_of("flat-and-rounded t=1 R=1 a=1+1e-20"), Edge::right, 1, "1/100"},
+        {contact_of("power-law m=0 C=1 a=1"), Edge::right, 2, "1/10"},
+        {contact_of("power-law m=5/8 C=1 a=1"), Edge::right, 2, "1/100"},
+        {contact_of("power-law m=10 C=1 a=1"), Edge::right, 3, "1/50"},
+        {contact_of(wedge + "a=1"), Edge::right, 2, "1/100"},
+        {contact_of("tilted-flat-and-rounded alpha=pi/16 t=1 R=2 a=3"), Edge::right, 2, "1/20"},
+        {contact_of(wedge + "P=1/10"), Edge::right, 1, "1e-9"}};
     for (AskedExtent asked : all) {
         for (const Edge edge : {Edge::right, Edge::left}) {
-            CAPTURE(asked.profile.kind_name());
-            CAPTURE(std::string(asked.tolerance));
+            CAPTURE(asked.contact.name);
+            CAPTURE(asked.tolerance);
             asked.edge = edge;
             const EnclosedExtents balls = enclosed<BallContact>(asked);
             CHECK(fault_by_witness(asked, balls) == "");
@@ -39,12 +36,12 @@ TEST_CASE("by pressures of the witness, the error is the tolerance at crossings 
 
 TEST_CASE("a corner too faint to see is a crossing at its place; a touch is left undecided") {
     // The logarithm matters only within e^(-10^6) of the corner.
-    const auto ask = [](const Profile& profile, std::size_t n, const char* tolerance,
+    const auto ask = [](const std::string& words, std::size_t n, const char* tolerance,
                         ExtentRange range) {
         return enclosed<BallContact>(
-            {profile, Load::right_edge(exact("1")), Edge::right, n, tolerance, std::move(range)});
+            {contact_of(words), Edge::right, n, tolerance, std::move(range)});
     };
-    const Profile faint = curve("0", "x - 1e-9; x + 1e-9");
+    const std::string faint = "piecewise knots=0 slopes=x-1e-9;x+1e-9 a=1";
     const ExtentRange most{exact("0"), exact("3/4")};
     const EnclosedExtents e = ask(faint, 40, "1/100", most);
     CHECK(e.measure.lower() > 1);
@@ -64,7 +61,7 @@ TEST_CASE("a corner too faint to see is a crossing at its place; a touch is left
     CHECK(overlaps(above.measure, above.first_exit));
     // Hertz, one term, with the tolerance that its error reaches at 3/4 of the contact, the end of
     // the range.
-    const Profile hertz = Profile::power_law(exact("1"), exact("1"));
+    const std::string hertz = "power-law m=1 C=1 a=1";
     CHECK_THROWS_AS((void)ask(hertz, 1, "1", most), BudgetError);
     const Ball exit = ask(hertz, 1, "1", {}).first_exit;
     CHECK(contains(exit, Rational(3, 2)));
@@ -73,11 +70,10 @@ TEST_CASE("a corner too faint to see is a crossing at its place; a touch is left
 
 // The value by mpmath at 70 digits is a row of tests/scene/values.txt.
 TEST_CASE("two equal maxima: the peak is still enclosed, and narrower with more bits") {
-    const Profile pad = Profile::flat_and_rounded(exact("0.4"), exact("3"));
-    const Load load = Load::right_edge(exact("1.5"));
+    const Contact pad = contact_of("flat-and-rounded t=0.4 R=3 a=1.5 E=2.1e11");
     Real last = 1;
     for (const long bits : {128L, 256L, 512L}) {
-        const BallContact contact(pad, exact("2.1e11"), load, bits);
+        const BallContact contact(pad.profile, pad.modulus, pad.load, bits);
         const Ball peak = enclosed_peak(contact, true);
         const Real width = peak.radius() / peak.midpoint();
         CHECK(width < last * Real("1e-25"));

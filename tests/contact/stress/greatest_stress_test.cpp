@@ -38,14 +38,13 @@ std::vector<SmoothContact> smooth_contacts() {
     for (const scenes::Contact& c : scenes::tilted()) {
         all.push_back(c);
     }
-    for (const char* m : {"2", "5/2", "4"}) {
-        all.push_back({std::string("power-law m=") + m,
-                       Profile::power_law(scenes::exact("3/7"), scenes::exact(m)),
-                       scenes::exact("7/3"), Load::right_edge(scenes::exact("5/4"))});
+    for (const std::string m : {"2", "5/2", "4"}) {
+        all.push_back(scenes::contact_of("power-law C=3/7 a=5/4 m=" + m));
     }
     std::vector<SmoothContact> smooth;
     for (const scenes::Contact& c : all) {
-        const bool corner = c.name.find("wedge") != std::string::npos || c.name == "power-law m=0";
+        const bool corner =
+            c.name.find("wedge") != std::string::npos || c.name.find(" m=0 ") != std::string::npos;
         if (!corner) {
             const auto closed =
                 std::make_shared<BallContact>(c.profile, c.modulus, c.load, greatest_bits);
@@ -54,17 +53,17 @@ std::vector<SmoothContact> smooth_contacts() {
     }
     const std::vector<Ball> origin{greatest_ball("0")};
     const std::vector<Ball> knots{greatest_ball("-1/4"), greatest_ball("0"), greatest_ball("1/4")};
-    const auto add_curved = [&](const char* name, const Profile& profile,
-                                const std::vector<Ball>& at) {
-        const auto whole = std::make_shared<IntegratedContact>(
-            profile, scenes::exact("1"), Load::right_edge(scenes::exact("1")), greatest_bits);
-        smooth.push_back({std::string("curved ") + name, whole, at});
-        smooth.push_back({std::string("curved zone ") + name,
-                          whole->zone(greatest_ball("1/2"), greatest_ball("1/3")), at});
+    const auto add_curved = [&](const std::string& words, const std::vector<Ball>& at) {
+        const auto [name, profile, modulus, load] = scenes::contact_of(words + " a=1 E=1");
+        const auto whole =
+            std::make_shared<IntegratedContact>(profile, modulus, load, greatest_bits);
+        smooth.push_back({"curved " + name, whole, at});
+        smooth.push_back(
+            {"curved zone " + name, whole->zone(greatest_ball("1/2"), greatest_ball("1/3")), at});
     };
-    add_curved("x+x^3", scenes::curve("", "x + x^3", true), origin);
-    add_curved("(x-1/4)^2", scenes::curve("1/4", "0; (x - 1/4)^2", true), knots);
-    add_curved("sides", scenes::curve("0", "x/2; sinh(x)", false), origin);
+    add_curved("piecewise symmetric slopes=x+x^3", origin);
+    add_curved("piecewise symmetric knots=1/4 slopes=0;(x-1/4)^2", knots);
+    add_curved("piecewise knots=0 slopes=x/2;sinh(x)", origin);
     return smooth;
 }
 
@@ -200,8 +199,9 @@ TEST_CASE("derivatives of the Cauchy integral agree with quadrature") {
     for (const SmoothContact& one : smooth_contacts()) {
         const std::string& name = one.name; // clang 14: lambdas capture no structured bindings
         const PlaneContact& c = one.contact();
-        if (name == "power-law m=100" || name == "flat-and-rounded t=1e-6" ||
-            (one.knots.size() > 1 && name.starts_with("curved")) || name.ends_with("sides")) {
+        if (name.starts_with("power-law m=100 ") || name.starts_with("flat-and-rounded t=1e-6 ") ||
+            (one.knots.size() > 1 && name.starts_with("curved")) ||
+            name.find("x/2;sinh(x)") != std::string::npos) {
             continue; // the quadrature needs more points, or points next to a knot
         }
         CAPTURE(name);
@@ -260,7 +260,7 @@ TEST_CASE("bounds over boxes contain the values at their points, and become narr
     for (const SmoothContact& one : smooth_contacts()) {
         const std::string& name = one.name; // clang 14: lambdas capture no structured bindings
         const PlaneContact& c = one.contact();
-        if (name == "power-law m=100" || name == "power-law m=10") {
+        if (name.starts_with("power-law m=10")) {
             continue; // boxes near the origin must be smaller
         }
         CAPTURE(name);
@@ -317,24 +317,20 @@ TEST_CASE("bounds over boxes contain the values at their points, and become narr
 // The stresses at the points are those of plane_stress.hpp, which are compared with Johnson's
 // integrals in stress_test.cpp.
 TEST_CASE("no point of a cylinder has a greater stress than the greatest one") {
-    compare_with_points([](const std::string& name) { return name == "power-law m=1"; });
+    compare_with_points([](const std::string& name) { return name.starts_with("power-law m=1 "); });
 }
 
 TEST_CASE("no point of a contact has a greater stress than the greatest one" *
           doctest::test_suite("slow")) {
     compare_with_points([](const std::string& name) {
-        return name.starts_with("curved ") || name == "power-law m=1/2" ||
-               name == "flat-and-rounded t=0.4" || name == "tilted flat-and-rounded a=0.9";
+        return name.starts_with("curved ") || name.starts_with("power-law m=1/2 ") ||
+               name.starts_with("flat-and-rounded t=0.4 ") ||
+               name.starts_with("tilted-flat-and-rounded alpha=0.01 ");
     });
 }
 
 TEST_CASE("a budget of boxes that does not suffice is refused with the limits") {
-    const SmoothContact c{
-        "",
-        std::make_shared<BallContact>(Profile::power_law(scenes::exact("1/70"), scenes::exact("1")),
-                                      scenes::exact("7/3"), Load::right_edge(scenes::exact("0.02")),
-                                      greatest_bits),
-        {}};
+    const SmoothContact c = smooth_contacts().front(); // a cylinder
     const StressMeasure F(sheared(c, "0", "0", "0"), {});
     CHECK_THROWS_AS((void)greatest_stress(F, 10), BudgetError);
     CHECK(greatest_stress(F, greatest_boxes).places.size() == 1);

@@ -63,15 +63,26 @@ std::string fault_of_enclosure(const TiltedPunch& punch, const char* P, const ch
 
 } // namespace
 
-TEST_CASE("the tilt of a wedge is found again from its force and moment") {
-    for (const char* alpha : {"pi/20", "-pi/20", "0.001", "pi/16 - 1e-6"}) {
+TEST_CASE("the tilt is found again from the force and the moment of a contact") {
+    const TiltedPunch wedge = TiltedPunch::wedge(exact("pi/16"));
+    const TiltedPunch flat = TiltedPunch::flat_and_rounded(exact("1"), exact("2"));
+    const auto check = [](const TiltedPunch& punch, const std::string& alpha,
+                          const std::string& words, int digits) {
+        CAPTURE(words);
         CAPTURE(alpha);
-        const Witness contact(Profile::tilted_wedge(exact("pi/16"), exact(alpha)), exact("7/3"),
-                              Load::right_edge(exact("3/2")), 70);
-        const EnclosedTilt tilt = tilt_to(50, TiltedPunch::wedge(exact("pi/16")), exact("7/3"),
-                                          exactly(contact.force()), exactly(contact.moment()));
+        const scenes::Contact c = scenes::contact_of(words + " alpha=" + alpha);
+        const Witness contact(c.profile, c.modulus, c.load, 70);
+        const EnclosedTilt tilt =
+            tilt_to(50, punch, c.modulus, exactly(contact.force()), exactly(contact.moment()));
         const PrecisionScope scope(80);
-        CHECK(agree(tilt.alpha.midpoint(), exact(alpha).to<Real>(), 50));
+        CHECK(agree(tilt.alpha.midpoint(), exact(alpha).to<Real>(), digits));
+        CHECK(tilt.alpha.relative_accuracy_bits() > 150);
+    };
+    for (const std::string alpha : {"pi/20", "-pi/20", "0.001", "pi/16-1e-6"}) {
+        check(wedge, alpha, "tilted-wedge phi=pi/16 a=3/2", 50);
+    }
+    for (const std::string a : {"0.5", "3"}) { // the paper's punch
+        check(flat, "pi/16", "tilted-flat-and-rounded t=1 R=2 E=1 a=" + a, 48);
     }
 }
 
@@ -147,19 +158,6 @@ TEST_CASE("a nearly sharp corner has nearly the tilt of a sharp one") {
     }
 }
 
-TEST_CASE("the paper's punch is found again from its force and moment") {
-    for (const char* a : {"0.5", "3"}) {
-        const Witness contact(
-            Profile::tilted_flat_and_rounded(exact("pi/16"), exact("1"), exact("2")), exact("1"),
-            Load::right_edge(exact(a)), 70);
-        const EnclosedTilt tilt =
-            tilt_to(50, TiltedPunch::flat_and_rounded(exact("1"), exact("2")), exact("1"),
-                    exactly(contact.force()), exactly(contact.moment()));
-        const PrecisionScope scope(80);
-        CHECK(agree(tilt.alpha.midpoint(), exact("pi/16").to<Real>(), 48));
-    }
-}
-
 TEST_CASE("where no tilt exists, the error gives the reason") {
     const auto fails = [](const TiltedPunch& punch, const char* P, const char* M,
                           const char* words) {
@@ -182,17 +180,7 @@ TEST_CASE("where no tilt exists, the error gives the reason") {
     fails(TiltedPunch::wedge(exact("0")), "1", "0", "phi = 0 is not");
 }
 
-TEST_CASE("the tilt is enclosed, narrowly, and the enclosure holds what it was made from") {
-    // A wedge of known tilt: its force and moment are constants of another contact, rounded in
-    // Real; the solved tilt must be as near to the known one.
-    const Witness leaning(Profile::tilted_wedge(exact("pi/16"), exact("pi/20")), exact("7/3"),
-                          Load::right_edge(exact("3/2")), 70);
-    const EnclosedTilt back =
-        enclose_tilt(TiltedPunch::wedge(exact("pi/16")), exact("7/3"), exactly(leaning.force()),
-                     exactly(leaning.moment()), 340);
-    const Ball expected = Ball::pi(400) / 20;
-    CHECK(certainly_less(abs(Ball(back.alpha - expected)), Ball(Real("1e-68"), 400)));
-    CHECK(back.alpha.relative_accuracy_bits() > 200);
+TEST_CASE("the tilt is enclosed, narrowly, and so are the moment and the force with it") {
     const TiltedPunch flat = TiltedPunch::flat_and_rounded(exact("1"), exact("2"));
     CHECK(fault_of_enclosure(TiltedPunch::wedge(exact("pi/16")), "2", "-0.7") == "");
     CHECK(fault_of_enclosure(flat, "0.3", "-0.2") == "");

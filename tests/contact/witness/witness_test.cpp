@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/contact/scenes.hpp"
+#include "tests/contact/by_witness.hpp"
 
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
@@ -18,64 +18,26 @@ namespace {
 
 constexpr Route both_routes[] = {Route::singular_integral, Route::barber_mossakovskii};
 
-/// The digits that the edges, the loads and the pressures of the witness share with enclosures; the
-/// pressures by `route` at `places`, parts of the contact's length from the right edge.
-int digits_shared(const Contact& c, unsigned digits, Route route,
-                  const std::vector<const char*>& places) {
-    const Witness witness(c.profile, c.modulus, c.load, digits);
-    const long bits = static_cast<long>(4 * digits) + 400;
-    const auto balls = proved_contact(c.profile, c.modulus, c.load, bits);
-    const PrecisionScope scope(digits + 20);
-    int least = std::min({common_digits(witness.a(), balls->a().midpoint()),
-                          common_digits(witness.b(), balls->b().midpoint()),
-                          common_digits(witness.force(), balls->force().midpoint())});
-    const Real size = witness.force() * (witness.a() + witness.b());
-    const Real moment = witness.moment() - balls->moment().midpoint();
-    least = std::min(least, common_digits(Real(size + moment), size));
-    for (const char* place : places) {
-        const Exact u = Exact::parse(Real((witness.a() + witness.b()) * Real(place)).str(12));
-        const Ball p = balls->pressure(Edge::right, u);
-        REQUIRE(p.relative_accuracy_bits() > static_cast<long>(3.4 * digits));
-        const int shared =
-            common_digits(witness.pressure(Edge::right, u, route).value, p.midpoint());
-        CAPTURE(place);
-        CHECK(shared >= static_cast<int>(digits));
-        least = std::min(least, shared);
-    }
-    return least;
-}
-
 Contact drawn(SplitMix64& dice) {
     const auto number = [&](std::size_t least, std::size_t most) {
         return std::to_string(least + dice.below(most - least + 1));
     };
-    const Symbols x{"x"};
-    const std::string a = number(3, 40) + "/10";
-    const Load load = dice.next() % 2 == 0 ? Load::right_edge(exact(a))
-                                           : Load::force(exact(number(1, 99) + "/50"));
+    const std::string a = " a=" + number(3, 40) + "/10";
+    const std::string load = dice.next() % 2 == 0 ? a : " P=" + number(1, 99) + "/50";
     switch (dice.next() % 5) {
     case 0:
-        return {"power law", Profile::power_law(exact("1/7"), exact(number(1, 60) + "/12")),
-                exact("7/3"), load};
+        return contact_of("power-law C=1/7 m=" + number(1, 60) + "/12" + load);
     case 1:
-        return {"flat", Profile::flat_and_rounded(exact(number(1, 20) + "/70"), exact("3")),
-                exact("7/3"), load};
+        return contact_of("flat-and-rounded R=3 t=" + number(1, 20) + "/70" + load);
     case 2:
-        return {"tilted wedge",
-                Profile::tilted_wedge(exact("1/10"), exact("9/100 - " + number(0, 180) + "/1000")),
-                exact("7/3"), load};
+        return contact_of("tilted-wedge phi=1/10 alpha=9/100-" + number(0, 180) + "/1000" + load);
     case 3:
-        return {"tilted flat",
-                Profile::tilted_flat_and_rounded(exact(number(1, 90) + "/300"), exact("1/2"),
-                                                 exact(number(2, 9))),
-                exact("7/3"), load};
+        return contact_of("tilted-flat-and-rounded t=1/2 alpha=" + number(1, 90) +
+                          "/300 R=" + number(2, 9) + load);
     default:
-        return {"corners and bends",
-                Profile::piecewise(
-                    {exact("-" + number(1, 9) + "/20"), exact("0"), exact(number(1, 9) + "/20")},
-                    {parse("x/3 - 1/5", x), parse("-1/" + number(6, 30), x),
-                     parse("1/" + number(6, 30), x), parse("1/5 + x/9", x)}),
-                exact("7/3"), load};
+        return contact_of("piecewise knots=-" + number(1, 9) + "/20;0;" + number(1, 9) +
+                          "/20 slopes=x/3-1/5;-1/" + number(6, 30) + ";1/" + number(6, 30) +
+                          ";1/5+x/9" + load);
     }
 }
 
@@ -86,7 +48,7 @@ Contact drawn(SplitMix64& dice) {
 // 2f)/ (4 R) with sin f = t/a (ciavarella-hills-monno1998).
 TEST_CASE("closed forms, by both routes to 50 digits") {
     struct Case {
-        Profile profile;
+        std::string words;
         const char* a;
         Real force;
         std::function<Real(const Real& x)> pressure = {};
@@ -96,19 +58,19 @@ TEST_CASE("closed forms, by both routes to 50 digits") {
     const Real pi = edgeproof::pi<Real>();
     const Real f = asin(Real(4) / 15);
     const std::vector<Case> cases{
-        {Profile::power_law(exact("1/70"), exact("1")), "1/50", Real(pi * E / 2500 / 280),
+        {"power-law m=1 C=1/70", "1/50", Real(pi * E / 2500 / 280),
          [&](const Real& x) { return Real(E / 140 * sqrt(Real(1) / 2500 - x * x)); }},
-        {Profile::power_law(exact("0.3"), exact("0")), "3/2", Real(E * 3 / 10 * 3 / 2),
+        {"power-law m=0 C=0.3", "3/2", Real(E * 3 / 10 * 3 / 2),
          [&](const Real& x) { return Real(E * 3 / 10 / pi * acosh(Real(3 / (2 * x)))); }},
-        {Profile::power_law(exact("3"), exact("2")), "2", Real(E * 16),
+        {"power-law m=2 C=3", "2", Real(E * 16),
          [&](const Real& x) {
              const Real w = sqrt(Real(4 - x * x));
              return Real(E * 3 / pi * (2 * w + x * x * acosh(Real(2 / x))));
          }},
-        {Profile::flat_and_rounded(exact("2/5"), exact("3")), "3/2",
+        {"flat-and-rounded t=2/5 R=3", "3/2",
          Real(E * 9 / 4 / 12 * (pi - 2 * f - sin(Real(2 * f))))}};
     for (const Case& c : cases) {
-        const Witness witness(c.profile, exact("7/3"), Load::right_edge(exact(c.a)), 50);
+        const Witness witness = witness_of(contact_of(c.words + " a=" + c.a), 50);
         CHECK(common_digits(witness.force(), c.force) >= 50);
         for (const char* part : {"1e-30", "1/1000", "9/10"}) {
             const Exact u(exact(part).expr() * exact(c.a).expr());
@@ -129,15 +91,14 @@ TEST_CASE("closed forms, by both routes to 50 digits") {
 TEST_CASE("the tilted wedge, given by its edge and by its force") {
     for (const char* ratio : {"1/5", "1e-12", "999999999/1000000000", "-1/3"}) {
         CAPTURE(ratio);
-        const Exact alpha(exact(ratio).expr() * exact("pi/16").expr());
-        const Profile profile = Profile::tilted_wedge(exact("pi/16"), alpha);
+        const std::string wedge = "tilted-wedge phi=pi/16 E=3 alpha=pi/16*" + std::string(ratio);
         const PrecisionScope scope(110);
         const Real S = sin(pi<Real>() / 2 * exact(ratio).to<Real>());
         const Real gamma = (1 - S) / (1 + S);
-        const Witness by_a(profile, exact("3"), Load::right_edge(exact("7/5")), 50);
+        const Witness by_a = witness_of(contact_of(wedge + " a=7/5"), 50);
         CHECK(common_digits(by_a.b(), gamma * 7 / 5) >= 50);
         CHECK(common_digits(by_a.force(), 3 * pi<Real>() / 16 * sqrt(gamma) * 7 / 5) >= 50);
-        const Witness by_P(profile, exact("3"), Load::force(exact("1/9")), 50);
+        const Witness by_P = witness_of(contact_of(wedge + " P=1/9"), 50);
         CHECK(common_digits(by_P.a(), 16 / (27 * pi<Real>() * sqrt(gamma))) >= 50);
     }
 }
@@ -162,7 +123,7 @@ TEST_CASE("200 digits, and 1e-20 from knots") {
         CHECK(digits_shared(c, 200, Route::singular_integral, {"0.3"}) >= 200);
     }
     const Contact flat = symmetric()[6]; // the flat ends at u = 1.1
-    const Witness witness(flat.profile, flat.modulus, flat.load, 40);
+    const Witness witness = witness_of(flat, 40);
     const BallContact balls(flat.profile, flat.modulus, flat.load, 600);
     const PrecisionScope scope(60);
     for (const char* u : {"1.1", "1.1 + 1e-20", "1.1 - 1e-20", "1.1 + 1e-100"}) {
@@ -175,14 +136,12 @@ TEST_CASE("200 digits, and 1e-20 from knots") {
 }
 
 TEST_CASE("an edge just beyond a corner: Barber-Mossakovskii, where P' is nearly infinite") {
-    const Symbols x{"x"};
-    const Profile profile =
-        Profile::piecewise_symmetric({exact("1/4")}, {parse("x/10", x), parse("x/10 + 1/50", x)});
+    const Contact c =
+        contact_of("piecewise symmetric knots=1/4 slopes=x/10;x/10+1/50 a=1/4+1e-20 E=1");
     for (const char* u : {"11e-21", "3e-20", "1/5"}) {
         CAPTURE(u);
-        const Load load = Load::right_edge(exact("1/4 + 1e-20"));
-        const Witness witness(profile, exact("1"), load, 40);
-        const BallContact balls(profile, exact("1"), load, 600);
+        const Witness witness = witness_of(c, 40);
+        const BallContact balls(c.profile, c.modulus, c.load, 600);
         const PrecisionScope scope(60);
         CHECK(
             common_digits(witness.pressure(Edge::right, exact(u), Route::barber_mossakovskii).value,
@@ -193,7 +152,7 @@ TEST_CASE("an edge just beyond a corner: Barber-Mossakovskii, where P' is nearly
 TEST_CASE("two precisions and two threads in one process") {
     const Contact c = own_symmetric();
     const auto pressure = [&](unsigned digits) {
-        const Witness witness(c.profile, c.modulus, c.load, digits);
+        const Witness witness = witness_of(c, digits);
         return witness.pressure(Edge::right, exact("1/9"), Route::singular_integral).value;
     };
     const Real few = pressure(20);
@@ -207,7 +166,7 @@ TEST_CASE("two precisions and two threads in one process") {
 
 TEST_CASE("places and loads without a value") {
     const Contact wedge = symmetric()[0]; // a = 3/2
-    const Witness witness(wedge.profile, wedge.modulus, wedge.load, 30);
+    const Witness witness = witness_of(wedge, 30);
     for (const char* u : {"0", "3", "-1", "3/2"}) { // 3/2: the corner at the apex
         for (const Route route : both_routes) {
             CHECK_THROWS_AS((void)witness.pressure(Edge::right, exact(u), route), DomainError);
@@ -218,14 +177,13 @@ TEST_CASE("places and loads without a value") {
     const Exact near_apex(exact("3/2").expr() - exact("1e-300").expr());
     CHECK(common_digits(witness.pressure(Edge::right, near_apex, Route::singular_integral).value,
                         Real(7) / 10 / pi<Real>() * log(Real(3) * pow(Real(10), 300))) >= 30);
-    const Profile hertz = Profile::power_law(exact("1"), exact("1"));
-    CHECK_THROWS_AS(Witness(hertz, exact("1"), Load::right_edge(exact("0")), 30), InputError);
-    CHECK_THROWS_AS(Witness(hertz, exact("1"), Load::force(exact("-1")), 30), InputError);
-    CHECK_THROWS_AS(Witness(hertz, exact("-1"), Load::right_edge(exact("1")), 30), InputError);
+    for (const char* words :
+         {"power-law m=1 C=1 a=0", "power-law m=1 C=1 P=-1", "power-law m=1 C=1 a=1 E=-1"}) {
+        CHECK_THROWS_AS((void)witness_of(contact_of(words), 30), InputError);
+    }
     // The left side has no slope: no b satisfies the consistency condition.
-    const Symbols x{"x"};
-    const Profile half = Profile::piecewise({exact("0")}, {parse("0", x), parse("x", x)});
-    CHECK_THROWS_AS(Witness(half, exact("1"), Load::right_edge(exact("1")), 30), DomainError);
+    CHECK_THROWS_AS((void)witness_of(contact_of("piecewise knots=0 slopes=0;x a=1"), 30),
+                    DomainError);
 }
 
 TEST_CASE("a curved slope by Barber-Mossakovskii" * doctest::test_suite("slow")) {

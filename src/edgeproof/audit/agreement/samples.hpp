@@ -39,7 +39,7 @@ public:
     /// The number of samples that `where` does not certainly admit.
     [[nodiscard]] std::size_t left_out() const noexcept { return left_out_; }
     [[nodiscard]] std::size_t scenes() const;
-    /// @param integral_digits as in EnclosedSample
+    /// `integral_digits`: as in EnclosedSample.
     [[nodiscard]] const EnclosedSample& enclosed(std::size_t sample, long bits,
                                                  unsigned integral_digits) const;
 

@@ -53,7 +53,8 @@ class QuickPressure {
 public:
     /// @param profile g'(x)
     /// @param contact_modulus E* (stress)
-    /// @param a distance of the right edge from the origin (length), b of the left one
+    /// @param a distance of the right edge from the origin (length)
+    /// @param b of the left edge
     QuickPressure(const contact::Profile& profile, double contact_modulus, double a, double b);
 
     /// Returns p at a place inside the contact. Nothing if the rule and one of half as many nodes

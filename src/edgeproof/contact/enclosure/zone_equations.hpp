@@ -60,6 +60,7 @@ struct ZoneEquations {
         Ball first;
     };
     /// Throws DomainError if there is no such zone however far out.
+    /// @param distances see there
     /// @param accuracy of the distances, in bits; it may be as large as half of those of the balls
     [[nodiscard]] BallZone from_afar(const Distances& distances, long accuracy) const;
 

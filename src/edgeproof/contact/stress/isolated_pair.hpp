@@ -29,6 +29,7 @@ struct PairOfEquations {
 /// part of X, there is one zero in X, and no other (`moore-kearfott-cloud2009`). Nothing if the
 /// zero is not isolated.
 /// @param equations PairOfEquations over a pair of balls
+/// @param start near the zero
 /// @param free false for an unknown that keeps its value
 template <class Equations>
 [[nodiscard]] std::optional<BallPair>

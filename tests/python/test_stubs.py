@@ -14,9 +14,9 @@ import edgeproof
 from edgeproof import _edgeproof
 
 PACKAGE = pathlib.Path(edgeproof.__file__).parent
-# Members that Python adds to every class, and pybind11 to its own.
+# Members that Python adds to every class (two of them since 3.13), and pybind11 to its own.
 GIVEN = {"__doc__", "__module__", "__new__", "__init__", "__dict__", "__repr__", "__str__",
-         "_pybind11_conduit_v1_", "__hash__"}
+         "_pybind11_conduit_v1_", "__hash__", "__static_attributes__", "__firstlineno__"}
 
 
 def stubs():

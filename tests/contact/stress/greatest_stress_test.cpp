@@ -336,3 +336,15 @@ TEST_CASE("a budget of boxes that does not suffice is refused with the limits") 
     CHECK_THROWS_AS((void)greatest_stress(F, 10), BudgetError);
     CHECK(greatest_stress(F, greatest_boxes).places.size() == 1);
 }
+
+TEST_CASE("next to a corner of a curved slope nothing bounds the Cauchy integral") {
+    const IntegratedContact c(scenes::curve("", "1/10 + sinh(x)", true), scenes::exact("1"),
+                              Load::right_edge(scenes::exact("1")), greatest_bits);
+    for (const char* const size : {"1/100", "1/100000"}) {
+        const Ball h = greatest_ball(size);
+        const CauchyBounds bounds =
+            c.cauchy_bounds(Box(Ball::hull(-h, h), Ball::hull(Ball(0, greatest_bits), h)));
+        CHECK_FALSE(bounds.value.is_finite());
+        CHECK_FALSE(bounds.with_depth.is_finite());
+    }
+}

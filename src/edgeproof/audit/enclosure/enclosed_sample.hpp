@@ -84,12 +84,9 @@ public:
 private:
     /// The contact, by a closed form or by rigorous integration.
     [[nodiscard]] const contact::ProvedContact& contact() const { return *contact_; }
-    /// As a plane contact. Throws Error for a body of revolution that is no power law.
+    /// Of a body of revolution, which is a power law, the plane contact with the same pressure.
     [[nodiscard]] const contact::PlaneContact& plane() const {
-        if (const auto* const plane = dynamic_cast<const contact::PlaneContact*>(&*contact_)) {
-            return *plane;
-        }
-        throw Error("stresses and slip of this body of revolution have no enclosure");
+        return dynamic_cast<const contact::PlaneContact&>(*contact_);
     }
     /// Throws Error for a curved slope, for which `what` has no enclosure.
     [[nodiscard]] const contact::BallContact& closed_form(std::string_view what) const {

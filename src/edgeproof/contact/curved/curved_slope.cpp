@@ -365,6 +365,12 @@ SlopeMonotonicity monotonicity_of_slope(const Profile& profile, const Ball& a, c
 Ball steepest_rise(const Profile& profile, const Ball& a, const Ball& b) {
     constexpr long parts = 32;
     Ball most(0, Interval::bits);
+    for (std::size_t i = 0; i < profile.knots().size(); ++i) {
+        const Ball knot = enclosed_constant(profile.knots()[i], Interval::bits);
+        if (profile.has_corner(i) && !certainly_less(knot, -b) && !certainly_less(a, knot)) {
+            return unknown_ball(Interval::bits);
+        }
+    }
     for (const SlopePiece& piece : profile.pieces()) {
         if (piece.linear) {
             most = max(most, enclosed_constant(Exact(piece.linear->rate), Interval::bits));

@@ -75,7 +75,7 @@ struct SlopeMonotonicity {
 [[nodiscard]] SlopeMonotonicity monotonicity_of_slope(const Profile& profile, const Ball& a,
                                                       const Ball& b);
 
-/// An upper bound of g'' over [-b, a]; not finite if there is none.
+/// An upper bound of g'' over [-b, a]; not finite if there is none, as with a corner.
 [[nodiscard]] Ball steepest_rise(const Profile& profile, const Ball& a, const Ball& b);
 
 /// True if g'' of a symmetric profile is proved not to increase from the origin to the edge, which

@@ -109,7 +109,7 @@ IntegratedContact IntegratedContact::mirrored() const {
 void IntegratedContact::forget() {
     disks_.clear();
     over_theta_.reset();
-    bounding_.reset();
+    field_data_.reset();
 }
 
 std::vector<Ball> IntegratedContact::expansion(Edge edge, std::size_t terms) const {

@@ -86,8 +86,6 @@ private:
     [[nodiscard]] IntegratedContact mirrored() const;
     /// Forgets what was kept of other edges.
     void forget();
-    /// The mean of g' over theta: 0 for a contact, the tilt of a zone with the other sign.
-    [[nodiscard]] Ball mean_slope() const;
     /// The piece at an edge; nothing if the edge may lie on a knot.
     [[nodiscard]] std::optional<std::size_t> edge_piece(Edge edge) const;
     /// The integral of g' from lo to hi (lengths), on either side of the edges. Not finite where
@@ -103,15 +101,15 @@ private:
         Ball distance; ///< from the contact, a lower bound
         std::vector<Box> T;
     };
-    /// What bounds of T need.
-    struct Bounding {
-        Ball mean; ///< see mean_slope
+    /// What T and its bounds need of the whole contact.
+    struct FieldData {
+        Ball mean; ///< of g' over theta: 0 for a contact, the tilt of a zone with the other sign
         Ball force;
         Ball steepest;                      ///< an upper bound of g''
         mutable std::vector<Around> around; ///< the series made so far
     };
     /// Computed when first needed.
-    [[nodiscard]] const Bounding& bounding() const;
+    [[nodiscard]] const FieldData& field_data() const;
     [[nodiscard]] Around series_off_contact(const Box& centre, std::size_t terms,
                                             long accuracy) const;
     [[nodiscard]] CauchyDerivatives off_contact(const Around& series, const Box& zeta) const;
@@ -213,7 +211,7 @@ private:
     bool zone_ = false; ///< a zone of a contact: b may differ from a even if g' is odd
     mutable std::map<Edge, std::vector<std::shared_ptr<const Disk>>> disks_;
     mutable std::shared_ptr<const SlopeOverTheta> over_theta_;
-    mutable std::shared_ptr<const Bounding> bounding_;
+    mutable std::shared_ptr<const FieldData> field_data_;
     mutable std::shared_ptr<const Roots> roots_; ///< of the profile
 };
 

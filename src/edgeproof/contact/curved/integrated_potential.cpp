@@ -114,43 +114,44 @@ Ball distance_from(const Ball& a, const Ball& b, const Box& zeta) {
 
 } // namespace
 
-const IntegratedContact::Bounding& IntegratedContact::bounding() const {
-    if (!bounding_) {
-        auto made = std::make_shared<Bounding>();
-        made->mean = mean_slope();
+const IntegratedContact::FieldData& IntegratedContact::field_data() const {
+    if (!field_data_) {
+        auto made = std::make_shared<FieldData>();
+        made->mean = zone_ ? slope_integral(a_, b_, 0) / Ball::pi(bits_) : Ball(0, bits_);
         made->force = force();
         made->steepest = steepest_rise(profile_, a_, b_).with_bits(bits_);
-        bounding_ = std::move(made);
+        field_data_ = std::move(made);
     }
-    return *bounding_;
-}
-
-Ball IntegratedContact::mean_slope() const {
-    return zone_ ? slope_integral(a_, b_, 0) / Ball::pi(bits_) : Ball(0, bits_);
+    return *field_data_;
 }
 
 CauchyIntegral IntegratedContact::cauchy_integral(const Box& zeta,
                                                   const std::optional<Exact>& known_x) const {
     const Ball pi = Ball::pi(bits_);
     const Ball factor = modulus_ / 2;
-    const Ball mean = mean_slope();
+    const Ball& mean = field_data().mean;
     const Ball x = zeta.real();
     const bool surface = arb_is_zero(zeta.imaginary().data()) != 0;
     if (surface && !certainly_less(a_, x) && !certainly_less(x, -b_)) {
         const Box unknown = unknown_number(bits_);
         for (const Edge edge : {Edge::right, Edge::left}) {
             const Ball off = edge == Edge::right ? a_ - x : x + b_;
-            if (contains_zero(off)) { // W I/pi is at most the greatest pressure near the edge
-                const auto piece = edge_piece(edge);
-                const Disk* const disk = piece ? disk_at_edge(edge) : nullptr;
-                if (disk == nullptr || !disk->disk.found() ||
-                    !certainly_less(abs(off), disk->disk.radius())) {
-                    return {unknown, unknown};
-                }
-                const Ball slope = series_of_slope(*piece, x, 1)[0] - mean;
-                const Ball W = sqrt(upper_end(abs(off)) * (length() + abs(off)));
-                return {(Box(slope * pi) + box_of_size(W * disk->disk.bound())) * factor, unknown};
+            if (!contains_zero(off)) {
+                continue;
             }
+            const auto piece = edge_piece(edge);
+            const Box slope(piece ? (series_of_slope(*piece, x, 1)[0] - mean) * pi
+                                  : unknown_ball(bits_));
+            if (off.is_exact()) { // p = 0
+                return {slope * factor, unknown};
+            }
+            const Disk* const disk = piece ? disk_at_edge(edge) : nullptr;
+            if (disk == nullptr || !disk->disk.found() ||
+                !certainly_less(abs(off), disk->disk.radius())) {
+                return {unknown, unknown};
+            }
+            const Ball W = sqrt(upper_end(abs(off)) * (length() + abs(off)));
+            return {(slope + box_of_size(W * disk->disk.bound())) * factor, unknown};
         }
         const auto knot = knot_at(known_x);
         const auto piece = knot ? knot : piece_of(x);
@@ -178,7 +179,7 @@ std::vector<Ball> IntegratedContact::edge_slope(std::size_t terms) const {
         return std::vector<Ball>(terms, unknown_ball(bits_));
     }
     std::vector<Ball> E = series_of_slope(*piece, a_, terms);
-    E[0] -= mean_slope();
+    E[0] -= field_data().mean;
     for (Ball& x : E) {
         x *= modulus_ * Ball::pi(bits_) / 2;
     }
@@ -204,7 +205,7 @@ IntegratedContact::Around
 IntegratedContact::series_off_contact(const Box& centre, std::size_t terms, long accuracy) const {
     Around made{centre, distance_from(a_, b_, centre), {}};
     const SlopeOverTheta& all = over_theta();
-    const PoleIntegrand integrand(all, centre, bounding().mean, terms, bits_);
+    const PoleIntegrand integrand(all, centre, field_data().mean, terms, bits_);
     quadrature::ThetaGoal goal{(all.most_change * Magnitude(power_of_two(-accuracy, 64))) /
                                    Magnitude::least(made.distance),
                                {},
@@ -239,7 +240,7 @@ CauchyDerivatives IntegratedContact::off_contact(const Around& series, const Box
     const Box z = zeta - series.centre;
     const Ball part = upper_end(abs(z)) / series.distance;
     const auto n = static_cast<long>(series.T.size());
-    const Ball force = abs(bounding().force);
+    const Ball force = abs(field_data().force);
     CauchyDerivatives d;
     Ball factorial(1, bits_);
     for (long k = 0; k < 4; ++k) {
@@ -294,7 +295,7 @@ CauchyDerivatives IntegratedContact::near_contact(const Box& zeta) const {
     acb_poly_mullow(root, root, other, order, bits_);
     acb_poly_mullow(root, root, I, order, bits_);
     complex_taylor(T, profile_.pieces()[*piece].slope, zeta.get(), order, bits_);
-    const Box slope = coefficient_of(T, 0, bits_) - bounding().mean;
+    const Box slope = coefficient_of(T, 0, bits_) - field_data().mean;
     set_coefficient(T, 0, slope);
     const Box turned(Ball(0, bits_), Ball(-1, bits_));
     acb_poly_scalar_mul(root, root, turned.get(), bits_);
@@ -316,13 +317,13 @@ CauchyDerivatives IntegratedContact::cauchy_derivatives(const Box& zeta) const {
     if (bits_ > bits_of_searches) {
         return off_contact(series_off_contact(middle, few_terms, bits_), zeta);
     }
-    for (const Around& known : bounding().around) {
+    for (const Around& known : field_data().around) {
         if (certainly_less(abs(zeta - known.centre) * 3, known.distance)) {
             return off_contact(known, zeta);
         }
     }
-    bounding().around.push_back(series_off_contact(middle, far_terms, accuracy_of_searches));
-    return off_contact(bounding().around.back(), zeta);
+    field_data().around.push_back(series_off_contact(middle, far_terms, accuracy_of_searches));
+    return off_contact(field_data().around.back(), zeta);
 }
 
 // Where T is not smooth. For any X of the contact T = (E*/2)(W N + pi (g'(X) - mean)), N the
@@ -338,7 +339,7 @@ CauchyBounds IntegratedContact::cauchy_bounds(const Box& zeta) const {
     }
     const Ball pi = Ball::pi(bits_);
     const Ball factor = modulus_ / 2;
-    const Ball L = bounding().steepest;
+    const Ball L = field_data().steepest;
     const Extent<Ball> e{a_, b_};
     const Ball W = upper_end(abs(root_above(e, zeta)));
     const Ball from_middle = upper_end(abs(zeta - (a_ - b_) / 2));
@@ -370,7 +371,7 @@ CauchyBounds IntegratedContact::cauchy_bounds(const Box& zeta) const {
     };
     const Ball X = max(min(zeta.real(), a_), -b_);
     const Ball slope = Ball::hull(slope_at(lower_end(X)), slope_at(upper_end(X)));
-    return {(box_of_size(W * L) + (slope - bounding().mean)) * (pi * factor),
+    return {(box_of_size(W * L) + (slope - field_data().mean)) * (pi * factor),
             box_of_size((from_middle * abs(depth_over_root(e, zeta)) + W) * pi * L * factor)};
 }
 

@@ -67,7 +67,7 @@ Ball IntegratedContact::lift_beyond(const Ball& beyond) const {
     const Ball W = Field<Ball>::root(beyond * (length() + beyond));
     const Ball omega = half / (half + beyond + W);
     const Ball pi = Ball::pi(bits_);
-    const Ball mean = mean_slope();
+    const Ball mean = field_data().mean;
     const Box sum = over_spans(a_, b_, [&](const SlopeOnSpan& on, const Box& t, const Box& s) {
         const auto [cosine, sine, theta] = turned_at(on, t, s);
         const Box below = Box(Ball(1, bits_)) - cosine * omega;
@@ -86,7 +86,7 @@ Ball IntegratedContact::gap_beyond(Edge edge, const Ball& beyond) const {
     if (edge == Edge::left) {
         return mirrored().gap_beyond(Edge::right, beyond);
     }
-    const Ball risen = rise(a_, a_ + beyond) - mean_slope() * beyond;
+    const Ball risen = rise(a_, a_ + beyond) - field_data().mean * beyond;
     if (certainly_less(beyond, length() * power_of_two(-bits_ / 4, bits_))) {
         // next to the edge the integral of the lift takes long; the lift is not negative
         return Ball::hull(Ball(0, bits_), upper_end(risen));
@@ -102,7 +102,7 @@ Ball IntegratedContact::carried_inside(const Ball& x,
     const Ball half = length() / 2;
     const Ball place = knot ? slope_.knots[*knot] : x;
     const Ball phi = clamped_mark({a_, b_}, place).h;
-    const Ball mean = mean_slope();
+    const Ball mean = field_data().mean;
     const Box one(Ball(1, bits_));
     const auto sum_of_angles = [&](const Box& theta) { // sin((phi + theta)/2)
         return cos(Box(Ball::pi(bits_) / 2) - (theta + phi) / Ball(2, bits_));
@@ -159,8 +159,7 @@ Ball IntegratedContact::carried_inside(const Ball& x,
         // The rest, |s - x| <= e: |g' - mean| is at most the whole rise of g', and G at most
         // ln(2 d/|s - x|).
         const Ball e = upper_end((at_root ? pow_int(size, n) : size * half) * exp(-Y * n));
-        const Ball most = abs(series_of_slope(piece_spans(a_, b_).front().piece, a_, 1)[0] -
-                              series_of_slope(piece_spans(a_, b_).back().piece, -b_, 1)[0]);
+        const Ball most = over_theta().most_change.ball(bits_);
         sum += up_to(most / half * e * (log(length() / e) + 1));
     }
     return phi / Ball::pi(bits_) * force() - modulus_ * half / (Ball::pi(bits_) * 2) * sum;
@@ -173,7 +172,7 @@ SurfacePotential IntegratedContact::surface_potential(const Ball& x,
     const Ball right = x - a_;
     const Ball left = -x - b_;
     const auto lift_inside = [&](const Ball& to) {
-        return -factor * (rise(to, a_) - mean_slope() * (a_ - to));
+        return -factor * (rise(to, a_) - field_data().mean * (a_ - to));
     };
     if (certainly_positive(right)) {
         return {lift_beyond(right), zero};

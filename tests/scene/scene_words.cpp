@@ -67,12 +67,8 @@ std::string written(const std::string& head, const Keys& keys) {
 } // namespace
 
 std::vector<std::string> words_of(const std::string& text) {
-    std::istringstream in(text);
-    std::vector<std::string> words;
-    for (std::string word; in >> word;) {
-        words.push_back(word);
-    }
-    return words;
+    const std::vector<std::string_view> words = io::split_words(text);
+    return {words.begin(), words.end()};
 }
 
 std::vector<std::string> parts_of(const std::string& text, const std::string& by) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/diagnose/diagnose.hpp"
 #include "edgeproof/formula/exact/exact.hpp"
-#include "edgeproof/io/toml/toml_text.hpp"
+#include "edgeproof/io/text_file.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -13,7 +13,6 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <sstream>
 #include <tuple>
 
 namespace edgeproof {
@@ -24,20 +23,12 @@ using Texts = std::vector<std::string>;
 constexpr long most_digits_of_values = 10'000;
 constexpr long most_terms = 400;
 
-std::vector<std::string> words_of(const std::string& text) {
-    std::istringstream in(text);
-    std::vector<std::string> words;
-    for (std::string word; in >> word;) {
-        words.push_back(word);
-    }
-    return words;
-}
-
 scene::AskedValue asked_of(const Query& query, const scene::Place::Names& names) {
     static constexpr std::string_view keys[] = {"u",    "x",         "edge",     "at",
                                                 "body", "tolerance", "reference"};
     std::map<std::string, std::string> where;
-    for (const std::string& word : words_of(query.where)) {
+    for (const std::string_view given : io::split_words(query.where)) {
+        const std::string word(given);
         const std::size_t equals = std::min(word.find('='), word.size());
         const std::string key = word.substr(0, equals);
         require(equals < word.size() && std::ranges::find(keys, key) != std::end(keys),
@@ -70,10 +61,6 @@ scene::BoundedValue bounded(scene::SceneValues& solved, const scene::AskedValue&
     }
     return solved.value(asked);
 }
-
-} // namespace
-
-namespace {
 
 std::vector<io::TomlEntry> entries_of(const Keys& keys) {
     std::vector<io::TomlEntry> entries;
@@ -236,8 +223,10 @@ struct Scene::Solved {
 const scene::Scene& scene_of(const Scene& scene) { return scene.solved().scene; }
 
 Scene::Scene(const std::string& words) {
-    const scene::GivenScene given =
-        scene::given_scene(std::filesystem::exists(words) ? std::vector{words} : words_of(words));
+    const std::vector<std::string_view> parts = std::filesystem::exists(words)
+                                                    ? std::vector<std::string_view>{words}
+                                                    : io::split_words(words);
+    const scene::GivenScene given = scene::given_scene({parts.begin(), parts.end()});
     if (given.file.empty()) {
         solved_ = std::make_shared<Solved>(scene::parse_scene("", "scene", given.instead),
                                            scene::scene_text(given.instead));

@@ -128,6 +128,16 @@ std::string_view trimmed(std::string_view text, std::string_view blanks) {
                : text.substr(from, text.find_last_not_of(blanks) - from + 1);
 }
 
+std::vector<std::string_view> split_words(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    std::vector<std::string_view> words;
+    while (!(text = trimmed(text, blanks)).empty()) {
+        words.push_back(text.substr(0, text.find_first_of(blanks)));
+        text.remove_prefix(words.back().size());
+    }
+    return words;
+}
+
 bool is_utf16(std::string_view text) {
     return text.starts_with(little_endian_mark) || text.starts_with(big_endian_mark);
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace edgeproof::io {
 
@@ -23,6 +24,8 @@ inline constexpr std::size_t most_text_bytes = 1'000'000'000;
 [[nodiscard]] std::string lower_case(std::string_view text);
 /// The text without blanks at its ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text, std::string_view blanks = " \t");
+/// The parts between blanks and line ends. (clang 14 does not compile std::views.)
+[[nodiscard]] std::vector<std::string_view> split_words(std::string_view text);
 
 /// True if the text begins with a byte order mark of UTF-16, of either order.
 [[nodiscard]] bool is_utf16(std::string_view text);

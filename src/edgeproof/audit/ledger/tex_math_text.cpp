@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger/printed_source.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/message.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -82,8 +81,8 @@ constexpr const char* environment_names =
     "enumerate";
 
 CommandNames names_in(const char* list) {
-    std::istringstream in(list);
-    return {std::istream_iterator<std::string>(in), {}};
+    const std::vector<std::string_view> names = io::split_words(list);
+    return {names.begin(), names.end()};
 }
 
 bool is_math_command(std::string_view name) {

@@ -2,7 +2,7 @@
 #include "edgeproof/comparison/input/result_lines.hpp"
 #include "edgeproof/comparison/input/result_table.hpp"
 #include "edgeproof/io/foreign_text.hpp"
-#include "edgeproof/io/toml/toml_text.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/input/scene_words.hpp"
 

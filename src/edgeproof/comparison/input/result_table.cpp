@@ -3,7 +3,7 @@
 
 #include "edgeproof/comparison/input/result_lines.hpp"
 #include "edgeproof/io/foreign_text.hpp"
-#include "edgeproof/io/toml/toml_text.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/text.hpp"

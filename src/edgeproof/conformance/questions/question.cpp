@@ -2,7 +2,6 @@
 #include "edgeproof/conformance/questions/question.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
-#include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 

@@ -9,16 +9,6 @@
 
 namespace edgeproof::io {
 
-std::vector<std::string_view> split_words(std::string_view text) {
-    std::vector<std::string_view> words;
-    for (std::size_t end = text.find(' '); end != std::string_view::npos; end = text.find(' ')) {
-        words.push_back(text.substr(0, end));
-        text.remove_prefix(end + 1);
-    }
-    words.push_back(text);
-    return words;
-}
-
 std::vector<std::string> split_lines(std::string_view text) {
     std::vector<std::string> lines;
     while (!text.empty()) {

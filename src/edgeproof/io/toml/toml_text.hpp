@@ -9,8 +9,6 @@
 namespace edgeproof::io {
 
 [[nodiscard]] std::vector<std::string> split_lines(std::string_view text);
-/// The parts between single blanks. (clang 14 does not compile std::views.)
-[[nodiscard]] std::vector<std::string_view> split_words(std::string_view text);
 [[nodiscard]] std::size_t significant_digits(std::string_view number);
 [[nodiscard]] bool is_number_character(char c);
 /// Returns the byte at which a column (from 1) begins: toml++ counts characters, not bytes.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/input/scene_words.hpp"
 
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <sstream>
 
 namespace edgeproof::scene {
 namespace {
@@ -26,10 +26,10 @@ const std::vector<Key>& keys() {
     static const std::vector<Key> all = [] {
         std::vector<Key> made;
         for (std::size_t i = 0; i < std::size(keys_of_sections); ++i) {
-            std::istringstream names(keys_of_sections[i].second);
-            for (std::string name; names >> name;) {
+            for (const std::string_view name : io::split_words(keys_of_sections[i].second)) {
                 const bool list = name.back() == '*';
-                made.push_back({list ? name.substr(0, name.size() - 1) : name, i, list});
+                made.push_back(
+                    {std::string(name.substr(0, name.size() - (list ? 1 : 0))), i, list});
             }
         }
         return made;

@@ -132,7 +132,9 @@ TEST_CASE("depth: names joined by dots, and brackets, that nest too deep are ref
              {many("a.", deep) + "a = 1", "[" + many("a.", deep) + "a]",
               "[[" + many("a.", deep) + "a]]", many("\"a\" . ", deep) + "a = 1",
               many("'.'\t.\t", deep) + "a = 1", "k = { " + many("a.", deep) + "a = 1 }",
-              many("γ-1.", deep) + "a = 1"}) {
+              many("γ-1.", deep) + "a = 1", many("\"! \\\"\".", deep) + "a = 1",
+              "k = [ \"\"\"\"a\"\"\"\"\", { " + many("\" \".", deep) + "a = 1 } ]",
+              "[" + many("' '.", deep) + "a]"}) {
             CAPTURE(text.substr(0, 40));
             const InputError error = refusal("x = 1 # a comment\n" + text);
             CHECK(error.problem().find("32 levels deep") != std::string::npos);
@@ -147,7 +149,7 @@ TEST_CASE("depth: names joined by dots, and brackets, that nest too deep are ref
 }
 
 TEST_CASE("depth: other dots and brackets do not count, and 31 levels are read") {
-    const std::string dots = many(".", 200) + many("[{", 100) + many("0.5 e.g. ", 100);
+    const std::string dots = many(".", 200) + many("[{", 100) + many("0.5 e.g. a.b.", 100);
     CHECK(parsed("k = \"" + dots + "\"").text("k") == dots);
     CHECK(parsed("k = '" + dots + "' # " + dots + "\nl = 1").written("l") == "1");
     CHECK(parsed("\"" + dots + "\" = 3").written(dots) == "3");

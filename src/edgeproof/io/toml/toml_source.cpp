@@ -3,7 +3,7 @@
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
 
-#include <cctype>
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -57,11 +57,24 @@ bool has_control(std::string_view text) {
 
 namespace {
 
-/// True for a character of a name, or of the quotes around it.
-bool is_of_name(char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return std::isalnum(byte) != 0 || byte >= 0x80U || c == '_' || c == '-' || c == '"' ||
-           c == '\'';
+/// The length of the string, on one line or several, with which the text begins.
+std::size_t length_of_string(std::string_view text) {
+    const char quote = text.front();
+    const std::string three(3, quote);
+    const bool lines = text.starts_with(three);
+    std::size_t at = lines ? three.size() : 1;
+    const auto ends = [&] {
+        return lines ? text.substr(at).starts_with(three) : text[at] == quote || text[at] == '\n';
+    };
+    while (at < text.size() && !ends()) {
+        at += quote == '"' && text[at] == '\\' ? 2 : 1;
+    }
+    // Of up to five quotes the last three end a string of several lines.
+    for (std::size_t left = lines ? 5 : 1; left > 0 && at < text.size() && text[at] == quote;
+         --left) {
+        ++at;
+    }
+    return std::min(at, text.size());
 }
 
 } // namespace
@@ -73,28 +86,21 @@ void check_toml_limits(std::string_view text, const std::string& file) {
             .at(file, 1);
     }
     std::size_t line = 1;
-    std::size_t dots = 0; // between names without a blank in them
-    char before = ' ';    // the last character that is no blank
-    bool blank = true;    // one stands between
-    for (const char c : text) {
-        line += c == '\n' ? 1 : 0;
-        if (c == ' ' || c == '\t') {
-            blank = true;
-            continue;
-        }
-        if (c == '.' && is_of_name(before)) {
-            ++dots;
-        } else if (!is_of_name(c) || (blank && is_of_name(before))) {
-            dots = 0;
-        }
-        if (dots >= most_toml_nesting) {
+    std::size_t dots = 0; // of the current key
+    while (!text.empty()) {
+        const char c = text.front();
+        const std::size_t length = c == '"' || c == '\'' ? length_of_string(text)
+                                   : c == '#'            ? std::min(text.find('\n'), text.size())
+                                                         : 1;
+        dots = std::string_view("\n[]{}=,").find(c) == std::string_view::npos ? dots : 0;
+        if (c == '.' && ++dots >= most_toml_nesting) {
             throw InputError("a key joins names by dots, more than " +
                                  std::to_string(most_toml_nesting) + " levels deep",
                              "write key = \"value\" lines under [section] headers")
                 .at(file, line);
         }
-        before = c;
-        blank = false;
+        line += static_cast<std::size_t>(std::ranges::count(text.substr(0, length), '\n'));
+        text.remove_prefix(length);
     }
 }
 

@@ -22,9 +22,8 @@ inline constexpr std::size_t most_toml_bytes = 10'000'000;
 /// per level. (It limits brackets by itself.)
 inline constexpr std::size_t most_toml_nesting = 32;
 
-/// Throws InputError with the line for a text of more than most_toml_bytes, or with as many names
-/// joined by dots as most_toml_nesting, also in a string or a comment. Other errors are left to the
-/// parser.
+/// Throws InputError with the line for a text of more than most_toml_bytes, or with a key or header
+/// of more than most_toml_nesting names. Other errors are left to the parser.
 void check_toml_limits(std::string_view text, const std::string& file);
 
 } // namespace edgeproof::io

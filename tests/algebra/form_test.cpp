@@ -216,8 +216,10 @@ TEST_CASE("elementary functions of an expansion invert each other to the last te
     const L b(Form::name("b", true), 9);
     const auto of = [](Builtin f, const L& y) { return L::call(f, {&y, 1}); };
     using enum Builtin;
-    for (const auto& [outer, inner] :
+    for (const auto& both :
          {std::pair{exp, log}, {log, exp}, {sin, asin}, {cos, acos}, {tan, atan}}) {
+        const Builtin outer = both.first;
+        const Builtin inner = both.second;
         const Form start(Rational(1, outer == tan ? 1 : 2)); // whose angle is known
         const L x = L(start, 9) + L::power(1, 9) * b - L::power(3, 8);
         const L same = of(outer, of(inner, x));

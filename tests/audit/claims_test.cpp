@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <ranges>
 
 namespace {
 
@@ -204,8 +203,8 @@ private:
         } else if (line.starts_with("family ")) {
             const Cells cells = split(line.substr(7), "|");
             ledger_.families.emplace_back(cells[0], Fields());
-            for (const std::string& cell : cells | std::views::drop(1)) {
-                ledger_.families.back().second.push_back(assignment(cell));
+            for (std::size_t k = 1; k < cells.size(); ++k) {
+                ledger_.families.back().second.push_back(assignment(cells[k]));
             }
         } else if (line.starts_with("rows")) {
             std::tie(head_, head_expected_) = halves(line.substr(4));
@@ -227,7 +226,8 @@ private:
         Fields row;
         Fields constants;
         std::size_t used = 0;
-        for (const std::string& cell : head_ | std::views::drop(1)) {
+        for (std::size_t k = 1; k < head_.size(); ++k) {
+            const std::string& cell = head_[k];
             if (cell.find('=') != std::string::npos) {
                 constants.push_back(assignment(cell));
             } else {
@@ -236,9 +236,9 @@ private:
             }
         }
         for (; used < cells.size(); ++used) {
-            const auto [key, value] = assignment(cells[used]);
-            std::erase_if(constants, [&](const auto& f) { return f.first == key; });
-            set(row, key, value);
+            const auto field = assignment(cells[used]);
+            std::erase_if(constants, [&](const auto& f) { return f.first == field.first; });
+            set(row, field.first, field.second);
         }
         std::vector<Fields> claims;
         for (const Fields& one : each_value(row)) {

@@ -62,7 +62,7 @@ TEST_CASE("third-party programs have the digits that they state, and the check c
         const char* digits;
         const char* too_many; ///< digits that the program does not have
     };
-    for (const auto& [needs, build, command, digits, too_many] :
+    for (const auto& program :
          {Program{"cc --version", "cc -std=c99 -O2 -o closed_forms closed_forms.c -lm",
                   "./closed_forms", "13", "17"},
           Program{"gfortran --version", "gfortran -O2 -o quadrature quadrature.f90", "./quadrature",
@@ -70,12 +70,12 @@ TEST_CASE("third-party programs have the digits that they state, and the check c
           Program{"python3 -c 'import mpmath'", "true", "python3 thirty_digits.py", "30", "60"},
           Program{"gp --version", "true", "gp -q closed_forms.gp", "30", "60"}}) {
         const Programs programs;
-        CAPTURE(command);
-        if (have(needs)) {
-            REQUIRE(programs.shell(build));
-            const Outcome o = ask(programs.folder, command, std::string("--digits ") + digits);
+        CAPTURE(program.run);
+        if (have(program.needs)) {
+            REQUIRE(programs.shell(program.build));
+            const Outcome o = ask(programs.folder, program.run, std::string("--digits ") + program.digits);
             CHECK_MESSAGE(first_line(o.out) == all_pass, o.out);
-            CHECK(ask(programs.folder, command, std::string("--digits ") + too_many).code == 1);
+            CHECK(ask(programs.folder, program.run, std::string("--digits ") + program.too_many).code == 1);
         }
     }
 }

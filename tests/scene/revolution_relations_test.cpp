@@ -108,7 +108,9 @@ void check_revolved(const std::string& words,
     const Real whole =
         2 * pi<Real>() * body.integral(body.a(), [](const Real& s, const Real&) { return s; });
     CHECK(abs(Real(whole - P)) < P * Real("1e-12"));
-    for (const auto& [place, g] : height) {
+    for (const auto& at : height) {
+        const auto& place = at.first;
+        const auto& g = at.second;
         CAPTURE(place);
         const Real r = Exact::parse(place).to<Real>();
         const Real lifted = body.integral(r, [&](const Real& s, const Real& apart) {

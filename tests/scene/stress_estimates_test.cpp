@@ -34,7 +34,9 @@ TEST_CASE("stresses of a picture agree with proved ones at places that were not 
     };
     std::mt19937_64 dice(20261129);
     std::uniform_real_distribution<double> unit(-1, 1);
-    for (const auto& [words, compared] : contacts) {
+    for (const auto& contact : contacts) {
+        const auto& words = contact.words;
+        const auto compared = contact.compared;
         CAPTURE(words);
         const Scene s = scenes::made(words);
         std::vector<double> x;

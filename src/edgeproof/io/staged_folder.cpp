@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <ranges>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -137,7 +136,7 @@ public:
 private:
     void undo() const {
         std::error_code ignored;
-        for (const fs::path& entry : made_ | std::views::reverse) {
+        for (const fs::path& entry : std::vector(made_.rbegin(), made_.rend())) {
             if (fs::exists(kept_ / entry)) {
                 fs::rename(kept_ / entry, to_ / entry, ignored);
             } else {

@@ -100,15 +100,17 @@ TEST_CASE("table --check: a changed digit, a lost row, a row moved or added are 
     twice.push_back(all.back());
     CHECK(said(joined(twice)).find("row " + lost + " occurs twice") != std::string::npos);
     // The head states what the table has, once.
-    for (const auto& [key, other] : {std::pair{"digits: 20", "digits: 40"},
+    for (const auto& row : {std::pair{"digits: 20", "digits: 40"},
                                      {"rounding: nearest", "rounding: down"},
                                      {"estimates: 0", "estimates: 3"},
                                      {"rows: 11", "rows: 12"},
                                      {"digits: 20", "digits: 20\n# digits: 50"},
                                      {"digits: 20", "many digits"}}) {
-        CAPTURE(std::string(other));
+        const std::string key = row.first;
+        const std::string other = row.second;
+        CAPTURE(other);
         const std::string wrong =
-            said(std::string(good).replace(good.find(key), std::strlen(key), other));
+            said(std::string(good).replace(good.find(key), key.size(), other));
         CHECK(lines(wrong).size() == 1);
         CHECK(wrong.find(std::string(", and the table has ") + key) != std::string::npos);
     }
@@ -186,7 +188,7 @@ TEST_CASE(
     CHECK(run(folder, "table r.toml --part 1/3 --out p1.csv").err.empty());
 
     folder.write("spoilt.csv", spoilt_part);
-    for (const auto& [arguments, message] :
+    for (const auto& row :
          std::initializer_list<std::pair<const char*, const char*>>{
              {"--merge p1.csv p2.csv p3.csv",
               "p2.csv:1: this is a part of another table than p1.csv"},
@@ -194,8 +196,9 @@ TEST_CASE(
              {"--merge p2.csv p2.csv", "p2.csv:1: part 2 is given twice"},
              {"--merge whole.csv", "whole.csv:1: this is no part of a table"},
              {"--merge spoilt.csv", "spoilt.csv:1: rows are missing or have changed"}}) {
+        const std::string message = row.second;
         CAPTURE(message);
-        const Outcome o = run(folder, std::string("table ") + arguments);
+        const Outcome o = run(folder, std::string("table ") + row.first);
         CHECK(o.code == 2);
         CHECK(has(o.err, message));
     }

@@ -57,16 +57,17 @@ TEST_CASE("verify: a bad list of figures is refused before the audit, with its p
                  "[profile]\nkind = \"tilted-wedge\"\nphi = \"0.1\"\n[load]\nP = \"1\"\n"
                  "M = \"-0.1\"\ncontact_modulus = \"100\"\n");
     const std::string figure = "[[figure]]\nid = \"f\"\ntitle = \"\"\ncaption = \"\"\n";
-    for (const auto& [text, begins] :
+    for (const auto& row :
          {std::pair{figure + "panel = \"error\"\nscenes = []\n", "figures/own.toml:5: there is no"},
           {figure + "panel = \"errors\"\nscenes = [\"none.toml\"]\n", "figures/none.toml: "},
           {std::string("residuals = [\"tilted.toml\"]\n"),
            "figures/tilted.toml:5: the tilt of this scene is not given"}}) {
+        const std::string& text = row.first;
         CAPTURE(text);
         folder.write("figures/own.toml", text);
         const Outcome o = run(folder, "verify own.toml --out out");
         CHECK(o.code == 2);
-        CHECK_MESSAGE(o.err.starts_with(begins), o.err);
+        CHECK_MESSAGE(o.err.starts_with(row.second), o.err);
         CHECK(std::ranges::count(o.err, '\n') == 1);
         CHECK_FALSE(std::filesystem::exists(folder.path() / "out"));
     }

@@ -143,7 +143,7 @@ TEST_CASE("CalculiX: a file that is cut, binary, or without places is refused in
     const std::string head(frd.substr(0, frd.find("\n    2C")));
     const std::size_t row = frd.find(" -1       378", frd.find("-4  CONTACT"));
     const std::string line = frd.substr(row, frd.find('\n', row) + 1 - row);
-    for (const auto& [text, reason] : {
+    for (const auto& given : {
              std::pair{frd.substr(0, frd.find('\n', frd.find("-4  CONTACT") + 1500)),
                        "ends inside a block"},
              {head + "\n    2C      828          2\n", "in text"},
@@ -153,8 +153,9 @@ TEST_CASE("CalculiX: a file that is cut, binary, or without places is refused in
              {changed_text(frd, " -1       378-1.5", " -1       378-x.5"), "is no number"},
              {std::string(frd).insert(row, line), "node 378 has two rows"},
          }) {
-        CAPTURE(std::string(reason));
-        CHECK(refusal_of_calculix(text).find(reason) != std::string::npos);
+        const std::string reason = given.second;
+        CAPTURE(reason);
+        CHECK(refusal_of_calculix(given.first).find(reason) != std::string::npos);
     }
 }
 

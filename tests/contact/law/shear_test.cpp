@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "tests/contact/forward.hpp"

@@ -2,6 +2,7 @@
 #include "edgeproof/contact/stress/greatest_stress.hpp"
 
 #include "edgeproof/contact/curved/integrated_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/stress/plane_stress.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/split_mix.hpp"

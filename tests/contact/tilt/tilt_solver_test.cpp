@@ -2,6 +2,7 @@
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
 
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/contact/forward.hpp"
 #include "tests/contact/scenes.hpp"

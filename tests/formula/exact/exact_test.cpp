@@ -116,7 +116,9 @@ TEST_CASE("a double halfway between two is decided by digits far behind") {
         {"1 + 2^-53", 1.0}, // ties to even
         {"1e-320", 1e-320},
     };
-    for (const auto& [text, value] : rounded) {
+    for (const auto& row : rounded) {
+        const auto& text = row.first;
+        const auto value = row.second;
         CAPTURE(text);
         CHECK(Exact::parse(text).to<double>() == value);
     }
@@ -143,7 +145,9 @@ TEST_CASE("signs are decided however close to zero") {
         // The root of a number that appears negative at 30 digits.
         {"sqrt(sqrt(2) - 1.414213562373095048801688724209698078569)", 1},
     };
-    for (const auto& [text, sign] : signs) {
+    for (const auto& row : signs) {
+        const auto& text = row.first;
+        const auto sign = row.second;
         CAPTURE(text);
         CHECK(Exact::parse(text).sign() == sign);
     }

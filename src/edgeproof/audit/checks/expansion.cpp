@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/audit/agreement/enclosures.hpp"
+#include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/decimal_fit.hpp"
 #include "edgeproof/audit/checks/parts/residual_fit.hpp"
+#include "edgeproof/audit/diagnosis/diagnosis.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/error.hpp"

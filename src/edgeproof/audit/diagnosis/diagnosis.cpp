@@ -114,7 +114,7 @@ EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& e
     }
     // The names in the formula, or in its scene, come before the other names.
     std::vector<std::string> in_order(names.begin(), names.end());
-    std::ranges::stable_partition(in_order, [&](const std::string& name) {
+    std::stable_partition(in_order.begin(), in_order.end(), [&](const std::string& name) {
         return written.contains(name) || (scene != nullptr && scene->parameters.contains(name));
     });
     EditAlphabet alphabet;

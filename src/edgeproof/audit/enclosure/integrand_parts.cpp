@@ -129,7 +129,7 @@ struct KnownLaw {
         if (name == "b" && law == EdgeLaw::symmetric) {
             return symbol("a");
         }
-        const auto k = order_behind(name, "b");
+        const auto k = formula::order_behind(name, "b");
         return k && *k >= 2 && law != EdgeLaw::any ? Form() : Form::name(name, false);
     }
     [[nodiscard]] Form call(const Expr& node, std::span<const Form> args) const {

@@ -15,7 +15,8 @@ namespace {
 std::set<std::string> parameters_of(const Ledger& ledger, const Family& family) {
     const std::vector<const Family*> members = ledger.members(family);
     std::set<std::string> names;
-    for (const auto& [name, values] : members.front()->parameters) {
+    for (const auto& parameter : members.front()->parameters) {
+        const std::string& name = parameter.first;
         if (std::ranges::all_of(members, [&](const Family* f) { return f->has(name); })) {
             names.insert(name);
         }

@@ -17,7 +17,8 @@ std::vector<std::size_t> spread_first(std::size_t n, std::size_t first) {
         for (std::size_t k = 0; k < first; ++k) {
             chosen[k * (n - 1) / (first - 1)] = true;
         }
-        std::ranges::stable_partition(order, [&](std::size_t i) { return bool{chosen[i]}; });
+        std::stable_partition(order.begin(), order.end(),
+                              [&](std::size_t i) { return bool{chosen[i]}; });
     }
     return order;
 }

@@ -163,7 +163,9 @@ Ball AxisymmetricContact::over_approach(const std::function<Box(const Box& s, co
     }
     Ball sum(0, bits_);
     for (std::size_t i = 0; i < rings_.size() && (on_axis(i) || inside(rings_[i].knot)); ++i) {
-        const auto& [v, jump, rate, knot] = rings_[i];
+        const Ball& v = rings_[i].v;
+        const Ball& jump = rings_[i].jump;
+        const Ball& rate = rings_[i].rate;
         const Ball quarter = Ball::pi(bits_) / 2;
         if (on_axis(i) && of_power) {
             sum += of_power(1) * rate * 2;

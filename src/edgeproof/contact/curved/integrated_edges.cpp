@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/exact_contact.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>

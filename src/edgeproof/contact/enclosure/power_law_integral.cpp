@@ -80,10 +80,10 @@ long steps_down(const Exact& m, double about_m) {
 } // namespace
 
 PowerLawIntegral::PowerLawIntegral(const Exact& m, const Ball& enclosed_m)
-    : whole_(enclosed_m, less(m, 0)), about_m_(approximate(enclosed_m)),
-      steps_(about_m_ > most_m ? 0 : steps_down(m, about_m_)),
-      left_(enclosed_m - 2 * steps_, less(m, steps_)), apex_factor_(0, enclosed_m.bits()),
-      most_(Rational(99, 100), enclosed_m.bits()) {
+    : whole_{enclosed_m, less(m, 0)}, about_m_(approximate(enclosed_m)),
+      steps_(about_m_ > most_m ? 0 : steps_down(m, about_m_)), left_{enclosed_m - 2 * steps_,
+                                                                     less(m, steps_)},
+      apex_factor_(0, enclosed_m.bits()), most_(Rational(99, 100), enclosed_m.bits()) {
     if (left_.exact && denominator(*left_.exact) == 1) {
         whole_left_ = left_.exact->convert_to<long>();
         return;

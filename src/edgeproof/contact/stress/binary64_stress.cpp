@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/stress/binary64_stress.hpp"
 
+#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/precision/double_word/double_word.hpp"
 
 #include <cmath>

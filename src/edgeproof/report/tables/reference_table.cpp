@@ -228,9 +228,10 @@ std::vector<std::string> wrong_facts(const io::Csv& old, const Table& made) {
     }
     std::vector<std::string> wrong;
     for (const auto& [key, value] : expected) {
+        const std::string start = key + ":";
         std::vector<std::string> stated;
         std::ranges::copy_if(old.notes, std::back_inserter(stated),
-                             [&](const std::string& note) { return note.starts_with(key + ":"); });
+                             [&](const std::string& note) { return note.starts_with(start); });
         if (stated != std::vector{key + ": " + value}) {
             wrong.push_back(fmt::format(
                 "the head {}, and the table has {}: {}",

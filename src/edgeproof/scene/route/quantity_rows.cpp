@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/input/quantity.hpp"
 
+#include "edgeproof/algebra/identity.hpp"
 #include "edgeproof/scene/route/ball_level.hpp"
 #include "edgeproof/scene/route/exact_values.hpp"
 

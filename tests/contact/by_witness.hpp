@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 #include "edgeproof/contact/curved/proved_slip.hpp"
+#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "tests/contact/scenes.hpp"
 
 #include <doctest/doctest.h>
@@ -38,6 +40,22 @@ inline int digits_shared(const Contact& c, unsigned digits, Route route,
         }
     }
     return least;
+}
+
+/// Checks the first coefficients c_k of `balls` at an edge by a pressure of the witness at the part
+/// 10^-decades of their reach, to `decades` digits less 4 of the last one.
+inline void check_coefficients(const Contact& c, const ProvedContact& balls, Edge edge,
+                               std::size_t terms, int decades) {
+    const int digits = decades * static_cast<int>(terms);
+    const Ball part = enclosed_constant(Exact::parse("1e-" + std::to_string(decades)), 64);
+    const Rational u = exact_value((balls.reach(edge) * part).with_bits(20).midpoint());
+    const Real p = witness_of(c, static_cast<unsigned>(digits))
+                       .pressure(edge, Exact::of(u), Route::singular_integral)
+                       .value;
+    const Ball at(u, 4L * digits + 60);
+    const PrecisionScope scope(static_cast<unsigned>(digits) + 20);
+    const Ball sum = horner(balls.expansion(edge, terms), at) * sqrt(at);
+    CHECK(common_digits(p, sum.midpoint()) >= digits - 4);
 }
 
 } // namespace edgeproof::scenes

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/enclosure/ball_extent.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "tests/contact/scenes.hpp"
 
 #include <map>
@@ -39,12 +41,11 @@ template <class C>
 inline std::string fault_by_witness(const AskedExtent& asked, const EnclosedExtents& x) {
     const Witness contact(asked.contact.profile, asked.contact.modulus, asked.contact.load, 25);
     const PrecisionScope scope(50);
-    const std::vector<Real> c = contact.coefficients(asked.edge, asked.n);
+    const std::vector<Ball> c =
+        proved_contact(asked.contact.profile, asked.contact.modulus, asked.contact.load, 400)
+            ->expansion(asked.edge, asked.n);
     const auto error = [&](const Real& u) { // in units of the tolerance
-        Real sum = c.back();
-        for (std::size_t k = c.size() - 1; k-- > 0;) {
-            sum = sum * u + c[k];
-        }
+        const Real sum = horner(c, Ball(u, 400)).midpoint();
         const Real p =
             contact.pressure(asked.edge, Exact::parse(u.str(45)), Route::singular_integral).value;
         return Real(abs(Real(sum * sqrt(u) / p - 1)) / exact(asked.tolerance).to<Real>());

@@ -3,7 +3,6 @@
 
 #include "edgeproof/contact/witness/edge_equations.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -268,51 +267,6 @@ Witness::Pressure Witness::pressure(Edge edge, const Exact& u, Route route) cons
     // The working precision has made up for the digits lost in gaps.
     const Real roundoff = pow(Real(10), -static_cast<int>(target));
     return {Real(p.value / pi<Real>()), std::max(p.estimate, roundoff), p.evaluations, working};
-}
-
-Real Witness::radius(Edge edge) const {
-    const PrecisionScope scope(base_working_);
-    const Solved& s = at(base_working_);
-    Real nearest = s.ends.length();
-    for (const Real& knot : s.law.slope().knots()) {
-        const Real u = edge == Edge::right ? Real(s.ends.a - knot) : Real(s.ends.b + knot);
-        nearest = u > 0 && u < nearest ? u : nearest;
-    }
-    return nearest;
-}
-
-// The polynomial through p/sqrt(u) at u = h, 2 h, ... (Newton's form, DLMF 3.3(iv)).
-std::vector<Real> Witness::coefficients(Edge edge, std::size_t terms) const {
-    constexpr unsigned more_nodes = 6;
-    const auto kept = static_cast<unsigned>(terms);
-    const unsigned nodes = kept + more_nodes;
-    const unsigned decades = (digits_ + guard_digits) / more_nodes + 1; // of h below the radius
-    const unsigned digits = digits_ + kept * decades + guard_digits / 2;
-    const Witness finer(profile_, modulus_, load_, digits);
-    const PrecisionScope scope(digits + guard_digits);
-    const Exact h = Exact::of(parse_decimal(
-        to_decimal(Real(radius(edge) * pow(Real(10), -static_cast<int>(decades))), 6)));
-    std::vector<Real> f;
-    for (unsigned j = 1; j <= nodes; ++j) {
-        const Exact u = Exact::of(Rational(h.rational() * j));
-        f.push_back(finer.pressure(edge, u, Route::singular_integral).value / sqrt(u.to<Real>()));
-    }
-    for (unsigned order = 1; order < nodes; ++order) {
-        for (unsigned j = nodes; j-- > order;) {
-            f[j] = (f[j] - f[j - 1]) / order;
-        }
-    }
-    std::vector<Real> c(nodes, Real(0)); // in powers of u/h
-    for (unsigned j = nodes; j-- > 0;) {
-        for (unsigned k = nodes; k-- > 0;) {
-            c[k] = (k > 0 ? c[k - 1] : f[j]) - c[k] * (j + 1);
-        }
-    }
-    c.resize(terms);
-    for (unsigned k = 0; k < kept; ++k) {
-        c[k] /= pow(h.to<Real>(), k);
-    }
-    return c;
 }
 
 } // namespace edgeproof::contact

@@ -9,7 +9,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace edgeproof::contact {
 
@@ -41,9 +40,6 @@ public:
     [[nodiscard]] Real b() const;      ///< distance of the left edge from the origin
     [[nodiscard]] Real force() const;  ///< P
     [[nodiscard]] Real moment() const; ///< M about the origin
-    /// True if an edge that is solved for lies within 1e-60 of a knot and the digits do not
-    /// separate them. It is then taken to be on the knot, without a proof.
-    [[nodiscard]] bool edge_taken_on_knot() const noexcept { return a_on_knot_ || b_on_knot_; }
 
     struct Pressure {
         Real value;
@@ -55,11 +51,6 @@ public:
     /// a corner of the profile, where p is infinite. A point within 1e-400 of a knot (curved
     /// slopes: 1e-60) that exact numbers do not distinguish from it counts as on it.
     [[nodiscard]] Pressure pressure(Edge edge, const Exact& u, Route route) const;
-    /// c_0 ... c_{terms-1} of p = sum of c_k u^(k+1/2) at an edge, from pressures near it by the
-    /// singular integral, to the digits of the contact relative to |c_0|/radius^k.
-    [[nodiscard]] std::vector<Real> coefficients(Edge edge, std::size_t terms) const;
-    /// The distance from `edge` to the nearest knot or to the other edge.
-    [[nodiscard]] Real radius(Edge edge) const;
 
 private:
     struct Solved;
@@ -73,7 +64,9 @@ private:
     Load load_;
     unsigned digits_;
     unsigned base_working_ = 0;
-    std::optional<std::size_t> a_on_knot_; ///< the knots that the edges are taken to be on
+    /// The knots that edges are taken to be on, without a proof: those that are solved for, lie
+    /// within 1e-60 of a knot, and are not separated from it by the digits.
+    std::optional<std::size_t> a_on_knot_;
     std::optional<std::size_t> b_on_knot_;
     mutable std::map<unsigned, std::unique_ptr<Solved>> solved_;
 };

@@ -179,70 +179,45 @@ BallSeries inverse_sinh(const BallSeries& z) {
 
 } // namespace
 
-// docs/axisymmetric.md, "What is integrated". With w = d sinh(T t), or y, the integrand has no
-// branch point near d; a wide d would enter twice.
-BallSeries outside_bend(const RingBend& bend, const BallSeries& r2, const BallSeries& d2,
-                        const BallSeries& W, const IntegralGoal& goal) {
-    const BoxSeries of_r2(r2, goal.bits);
-    const BoxSeries v = of_r2.constant(Box(bend.v.with_bits(goal.bits)));
-    const auto rate = [&](const BoxSeries& y) {
+// docs/axisymmetric.md, "What is integrated". With x = d sinh(T t) the integrand has no branch
+// point near d; a wide d would enter twice.
+BallSeries part_of_bend(const RingBend& bend, bool beyond, const BallSeries& d2,
+                        const BallSeries& X, const IntegralGoal& goal) {
+    const std::size_t order = d2.order();
+    const BoxSeries of_d2(d2, goal.bits);
+    const BoxSeries v = of_d2.constant(Box(bend.v.with_bits(goal.bits)));
+    const BoxSeries v2 = v * v;
+    const auto rate = [&](const BoxSeries& y) { // h'
         const BoxSeries angle = principal_arctangent(y / v);
         const BoxSeries bent = (y + y - angle * bend.v) * bend.rate;
         return contains_zero(bend.jump) ? bent : bent + (angle + v / y) * bend.jump;
     };
+    const auto moment = [&](const BoxSeries& y, const BoxSeries& y2) { // h' y/s
+        const BoxSeries angle = principal_arctangent(y / v);
+        return ((y + y - angle * bend.v) * y * bend.rate + (angle * y + v) * bend.jump) /
+               principal_root(v2 + y2);
+    };
     if (is_narrow(d2)) {
         const BallSeries d = sqrt(d2);
-        const BallSeries T = inverse_sinh(W / d);
+        const BallSeries T = inverse_sinh(X / d);
         const BoxSeries of_d(d, goal.bits);
         const BoxSeries of_T(T, goal.bits);
         const auto f = [&](const Box& t) {
             const auto [sine, cosine] = (of_T * t).hyperbolic();
-            const BoxSeries w = of_d * sine;
-            const BoxSeries y = of_d * cosine;
-            return rate(y) * y / principal_root(of_r2 + w * w);
+            const BoxSeries y = of_d * (beyond ? cosine : sine);
+            return moment(y, y * y);
         };
-        return integrals_of(f, r2.order(), goal) * (T / W);
+        return integrals_of(f, order, goal) * T;
     }
-    const BoxSeries of_d2(d2, goal.bits);
-    const BoxSeries of_W(W, goal.bits);
-    const bool on_the_bend = r2.order() == 1 && d2[0].is_exact() && contains_zero(d2[0]);
-    return integrals_of(
-        [&](const Box& t) {
-            const BoxSeries w = of_W * t;
-            const BoxSeries w2 = w * w;
-            return rate(on_the_bend ? w : principal_root(of_d2 + w2)) / principal_root(of_r2 + w2);
-        },
-        r2.order(), goal);
-}
-
-BallSeries inside_bend(const RingBend& bend, const BallSeries& d2, const Ball& Y,
-                       const IntegralGoal& goal) {
-    const BoxSeries of_d2(d2, goal.bits);
-    const BoxSeries v = of_d2.constant(Box(bend.v.with_bits(goal.bits)));
-    const auto part = [&](const BoxSeries& y, const BoxSeries& y2) {
-        const BoxSeries angle = principal_arctangent(y / v);
-        const BoxSeries rate =
-            (y + y - angle * bend.v) * y * bend.rate + (angle * y + v) * bend.jump;
-        return rate / principal_root(v * v + y2);
+    const BoxSeries of_X(X, goal.bits);
+    const bool on_the_bend = order == 1 && d2[0].is_exact() && contains_zero(d2[0]);
+    const auto f = [&](const Box& t) {
+        const BoxSeries x = of_X * t;
+        const BoxSeries x2 = x * x;
+        const BoxSeries root = on_the_bend ? x : principal_root(of_d2 + x2);
+        return beyond ? rate(root) / principal_root(v2 + of_d2 + x2) : moment(x, x2) / root;
     };
-    if (is_narrow(d2)) {
-        const BallSeries d = sqrt(d2);
-        const BallSeries T = inverse_sinh(BallSeries(Y, d2.order()) / d);
-        const BoxSeries of_d(d, goal.bits);
-        const BoxSeries of_T(T, goal.bits);
-        const auto f = [&](const Box& t) {
-            const BoxSeries y = of_d * (of_T * t).hyperbolic().sine;
-            return part(y, y * y);
-        };
-        return integrals_of(f, d2.order(), goal) * (T * (1 / Y));
-    }
-    return integrals_of(
-        [&](const Box& t) {
-            const BoxSeries y = of_d2.constant(t * Y);
-            const BoxSeries y2 = y * y;
-            return part(y, y2) / principal_root(of_d2 + y2);
-        },
-        d2.order(), goal);
+    return integrals_of(f, order, goal) * X;
 }
 
 } // namespace edgeproof::contact

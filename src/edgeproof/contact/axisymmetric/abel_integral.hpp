@@ -14,25 +14,15 @@ struct RingBend {
     const Ball& rate;
 };
 
-/// For r > v: the integral of h'(s)/s over 0 < t < 1, s^2 = r^2 + W^2 t^2, as a series in the
-/// variable of `r2` and `W`; times W it is the part of the bend in pi p/E* (docs/axisymmetric.md,
-/// "What is integrated").
+/// The part of a bend in pi p/E* at the radius r (docs/axisymmetric.md, "What is integrated"): the
+/// integral of h'(s) y/(s sqrt(x^2 + d2)) over 0 < x < X, as a series in the variable of `d2` and
+/// `X`, where y^2 = s^2 - v^2.
 /// @param bend the bend
+/// @param beyond true for r > v: x^2 = s^2 - r^2; false for r < v: x = y
+/// @param d2 |r^2 - v^2| (length^2), positive; 0 exactly for r = v, which counts as beyond
+/// @param X sqrt(a^2 - r^2), or sqrt(a^2 - v^2) for r < v (length)
 /// @param goal the accuracy
-/// @param r2 r^2 (length^2)
-/// @param d2 r^2 - v^2 (length^2), positive; 0 exactly for r = v
-/// @param W sqrt(a^2 - r^2) (length)
-[[nodiscard]] BallSeries outside_bend(const RingBend& bend, const BallSeries& r2,
-                                      const BallSeries& d2, const BallSeries& W,
-                                      const IntegralGoal& goal);
-
-/// For r < v: the integral of h'(s) y/(s sqrt(y^2 + v^2 - r^2)) over 0 < t < 1, y = Y t,
-/// s^2 = v^2 + y^2; times Y it is the part of the bend in pi p/E*.
-/// @param bend the bend
-/// @param goal the accuracy
-/// @param d2 v^2 - r^2 (length^2), positive
-/// @param Y sqrt(a^2 - v^2) (length)
-[[nodiscard]] BallSeries inside_bend(const RingBend& bend, const BallSeries& d2, const Ball& Y,
-                                     const IntegralGoal& goal);
+[[nodiscard]] BallSeries part_of_bend(const RingBend& bend, bool beyond, const BallSeries& d2,
+                                      const BallSeries& X, const IntegralGoal& goal);
 
 } // namespace edgeproof::contact

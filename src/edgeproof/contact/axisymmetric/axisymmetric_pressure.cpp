@@ -101,11 +101,11 @@ Ball AxisymmetricContact::over_bends(const Place& at, bool least) const {
                                 abs(bend.jump) / v + abs(bend.rate), abs(beyond)};
         const auto outside = [&](const RingBend& of, const Ball& r, const Ball& width, bool on) {
             const Ball d2 = on ? Ball(0, bits_) : (r - v) * (r + v);
-            return outside_bend(of, series(r * r), series(d2), series(width), goal)[0] * width;
+            return part_of_bend(of, true, series(d2), series(width), goal)[0];
         };
         const Ball Y = Field<Ball>::root(clamped(a_ - v) * (a_ + v));
         const auto within = [&](const RingBend& of, const Ball& r) {
-            return inside_bend(of, series((v - r) * (v + r)), Y, goal)[0] * Y;
+            return part_of_bend(of, false, series((v - r) * (v + r)), series(Y), goal)[0];
         };
         const RingBend whole{v, bend.jump, bend.rate};
         const bool corner = !contains_zero(bend.jump);
@@ -311,26 +311,22 @@ BallSeries AxisymmetricContact::pressure_series(Edge /*edge*/, const Ball& u,
         if (!inside(bend.knot)) {
             continue;
         }
-        const BallSeries d2 = r2 + -(bend.v * bend.v);
         const Ball beyond = abs(r[0]) - bend.v;
+        if (contains_zero(beyond)) {
+            return unknown_series(order, bits_);
+        }
+        const bool outside = certainly_positive(beyond);
+        BallSeries d2 = r2 + -(bend.v * bend.v);
+        d2 = outside ? d2 : -d2;
+        d2.set(0, abs(beyond) * (abs(r[0]) + bend.v));
         // Long series serve searches, which need few digits.
         const long accuracy =
             useful_accuracy(beyond.relative_accuracy_bits(), order > 3 ? bits_of_searches : bits_);
         const IntegralGoal goal{std::min(bits_, accuracy + 64), accuracy,
                                 abs(bend.jump) / bend.v + abs(bend.rate), abs(beyond)};
-        const RingBend of{bend.v, bend.jump, bend.rate};
-        if (certainly_positive(beyond)) {
-            BallSeries apart = d2;
-            apart.set(0, beyond * (abs(r[0]) + bend.v));
-            sum = sum + outside_bend(of, r2, apart, W, goal) * W;
-        } else if (certainly_negative(beyond)) {
-            BallSeries apart = -d2;
-            apart.set(0, -beyond * (abs(r[0]) + bend.v));
-            const Ball Y = Field<Ball>::root(clamped(a_ - bend.v) * (a_ + bend.v));
-            sum = sum + inside_bend(of, apart, Y, goal) * Y;
-        } else {
-            return unknown_series(order, bits_);
-        }
+        const Ball Y = Field<Ball>::root(clamped(a_ - bend.v) * (a_ + bend.v));
+        sum = sum + part_of_bend({bend.v, bend.jump, bend.rate}, outside, d2,
+                                 outside ? W : BallSeries(Y, order), goal);
     }
     return sum * (modulus_ / Ball::pi(bits_));
 }

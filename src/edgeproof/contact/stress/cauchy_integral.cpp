@@ -57,31 +57,44 @@ Box small_moment(const Outside& at, const Box& offset) {
     return {all, all};
 }
 
-// docs/stress.md, "Piecewise linear slopes"
-CauchyIntegral of_linear(const BallContact& contact, const Box& zeta) {
-    const Outside at({contact.a(), contact.b()}, zeta);
+/// 2/E* times T, and T' in two parts, of which one is divided by W (docs/stress.md, "Piecewise
+/// linear slopes"). With a depth (length) the first part is multiplied by it, also where it is
+/// infinite: z <= |v - zeta|.
+struct LinearSums {
+    Box value;
+    Box derivative;
+    Box by_root;
+};
+
+LinearSums linear_sums(const BallContact& contact, const Outside& at, const Box& zeta,
+                       const std::optional<Ball>& depth) {
     const LinearSlope<Ball>& slope = contact.slope();
     // For the whole contact: (D/2) omega times the integral of g'' dh.
-    const Ball arc = contact.arc() * at.half;
-    Box value = at.omega * arc;
-    Box by_root = -(at.omega * arc); // W times the derivative, without the terms in k
-    Box derivative(zeta.bits());
+    const Box arc = at.omega * (contact.arc() * at.half);
+    LinearSums sum{arc, Box(zeta.bits()), -arc};
     for (const std::size_t i : contact.bends_inside()) {
         const Mark<Ball>& v = contact.knot_marks()[i];
+        const Ball drop = slope.rate_drop(i);
         const Box offset = slope.knots[i] - zeta;
         const Box k = kernel(at, v);
+        const bool far = k.is_finite() && !offset.contains_zero();
+        const Box moment = far ? offset * k : small_moment(at, offset);
         if (slope.has_corner(i)) {
-            value = value + k * slope.jump(i);
-            by_root = by_root + Box(slope.jump(i) * v.w) / offset;
+            sum.value = sum.value + k * slope.jump(i);
+            sum.by_root = sum.by_root + Box(slope.jump(i) * v.w) / offset;
         }
-        const Ball drop = slope.rate_drop(i);
-        const Box moment = offset.contains_zero() ? small_moment(at, offset) : offset * k;
-        value = value + (moment + v.w) * drop;
-        by_root = by_root + drop * v.w;
-        derivative = derivative - k * drop;
+        sum.value = sum.value + (moment + v.w) * drop;
+        sum.by_root = sum.by_root + drop * v.w;
+        sum.derivative = sum.derivative - (!depth ? k : far ? k * *depth : moment) * drop;
     }
+    return sum;
+}
+
+CauchyIntegral of_linear(const BallContact& contact, const Box& zeta) {
+    const Outside at({contact.a(), contact.b()}, zeta);
+    const LinearSums sum = linear_sums(contact, at, zeta, {});
     const Ball factor = contact.modulus() / 2;
-    return {value * factor, (derivative + by_root / at.root) * factor};
+    return {sum.value * factor, (sum.derivative + sum.by_root / at.root) * factor};
 }
 
 } // namespace
@@ -134,30 +147,23 @@ CauchyDerivatives linear_derivatives(const BallContact& contact, const Box& zeta
     const long bits = zeta.bits();
     const Extent<Ball> e{contact.a(), contact.b()};
     const Outside at(e, zeta, root_above(e, zeta));
-    const LinearSlope<Ball>& slope = contact.slope();
+    const LinearSums sums = linear_sums(contact, at, zeta, {});
     const Box inverse = Box(Ball(1, bits)) / at.root;
     const Box ratio = (zeta - (e.a - e.b) / 2) * inverse * inverse; // -W (1/W)'
-    const Box arc = at.omega * (contact.arc() * at.half);
-    Box by_root = -arc;
-    CauchyDerivatives sum{arc, Box(bits), Box(bits), Box(bits)};
+    CauchyDerivatives sum{sums.value, sums.derivative + sums.by_root * inverse, Box(bits),
+                          Box(bits)};
     for (const std::size_t i : contact.bends_inside()) {
-        const Mark<Ball>& v = contact.knot_marks()[i];
-        const Ball drop = slope.rate_drop(i);
-        const Box offset = slope.knots[i] - zeta;
-        const Box k = kernel(at, v);
-        const Box pole = Box(Ball(-1, bits)) / offset;
-        sum[0] = sum[0] + (offset * k + v.w) * drop;
-        sum[1] = sum[1] - k * drop;
-        sum[2] = sum[2] + pole * (drop * v.w);
-        sum[3] = sum[3] - (ratio + pole) * pole * (drop * v.w);
-        by_root = by_root + drop * v.w;
+        const Ball weight = contact.slope().rate_drop(i) * contact.knot_marks()[i].w;
+        const Box pole = Box(Ball(1, bits)) / (zeta - contact.slope().knots[i]);
+        sum[2] = sum[2] + pole * weight;
+        sum[3] = sum[3] - (ratio + pole) * pole * weight;
     }
+    const Box arc = at.omega * (contact.arc() * at.half);
     const Box rate = arc * inverse; // of by_root
     const Box square = inverse * inverse;
-    sum[1] = sum[1] + by_root * inverse;
-    sum[2] = (sum[2] + rate - by_root * ratio) * inverse;
+    sum[2] = (sum[2] + rate - sums.by_root * ratio) * inverse;
     sum[3] = (sum[3] - arc * square - rate * ratio * Ball(3, bits) +
-              by_root * (ratio * ratio * Ball(3, bits) - square)) *
+              sums.by_root * (ratio * ratio * Ball(3, bits) - square)) *
              inverse;
     for (Box& x : sum) {
         x = x * (contact.modulus() / 2);
@@ -168,24 +174,9 @@ CauchyDerivatives linear_derivatives(const BallContact& contact, const Box& zeta
 CauchyBounds linear_bounds(const BallContact& contact, const Box& zeta) {
     const Extent<Ball> e{contact.a(), contact.b()};
     const Outside at(e, zeta, root_above(e, zeta));
-    const LinearSlope<Ball>& slope = contact.slope();
-    Box value = at.omega * (contact.arc() * at.half);
-    Box by_root = -value;
-    Box with_depth(zeta.bits());
-    for (const std::size_t i : contact.bends_inside()) {
-        const Mark<Ball>& v = contact.knot_marks()[i];
-        const Ball drop = slope.rate_drop(i);
-        const Box offset = slope.knots[i] - zeta;
-        const Box k = kernel(at, v);
-        const bool far = k.is_finite() && !offset.contains_zero();
-        const Box moment = far ? offset * k : small_moment(at, offset);
-        value = value + (moment + v.w) * drop;
-        // z <= |v - zeta|
-        with_depth = with_depth - (far ? k * zeta.imaginary() : moment) * drop;
-        by_root = by_root + drop * v.w;
-    }
+    const LinearSums sum = linear_sums(contact, at, zeta, zeta.imaginary());
     const Ball factor = contact.modulus() / 2;
-    return {value * factor, (with_depth + by_root * depth_over_root(e, zeta)) * factor};
+    return {sum.value * factor, (sum.derivative + sum.by_root * depth_over_root(e, zeta)) * factor};
 }
 
 /// pi E*/2 times g'(x), x > 0, of a power law: P'(a) (x/a)^m times the integral of

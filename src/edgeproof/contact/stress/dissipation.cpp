@@ -203,13 +203,4 @@ Ball cycle_energy(const BallSlip& slip, const GrowthIntegral& integral) {
                              integral);
 }
 
-// The integral of (P - L)(L - L_s) dL/L, divided by P^2: tau - tau^2/2 + (1 - tau) ln(1 - tau)
-// (docs/partial-slip.md, "The energy of a cycle").
-Ball similar_cycle_energy(const BallSlip& slip, const Ball& power) {
-    const Ball& tau = slip.load_ratio();
-    const Ball part = tau - tau * tau / 2 + (1 - tau) * log1p(-tau);
-    return slip.friction() * slip.friction() * slip.force() * slip.force() * 8 * part /
-           (Ball::pi(power.bits()) * slip.zones().modulus() * power);
-}
-
 } // namespace edgeproof::contact

@@ -71,7 +71,4 @@ using GrowthIntegral = std::function<Ball(const PhaseWeight& weight, const SlipP
 /// where L_s = P - |Q|/f. As dissipated_energy.
 [[nodiscard]] Ball cycle_energy(const BallSlip& slip, const GrowthIntegral& integral);
 
-/// The same in closed form if the force L is proportional to D^power.
-[[nodiscard]] Ball similar_cycle_energy(const BallSlip& slip, const Ball& power);
-
 } // namespace edgeproof::contact

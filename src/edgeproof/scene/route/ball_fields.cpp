@@ -353,9 +353,7 @@ Ball BallLevel::tangential_ratio() const {
 
 Ball BallLevel::cycle_energy(const BallSlip& slip) const {
     if (!scene_.round) {
-        const auto power = power_of_growth();
         return scene_.history ? energy_of(*scene_.history->pass)
-               : power        ? similar_cycle_energy(slip, *power)
                               : contact::cycle_energy(slip, growth(*contact_));
     }
     const Ball factor = slip.friction() * slip.friction() * tangential_ratio() * 8;

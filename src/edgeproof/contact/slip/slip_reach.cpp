@@ -32,7 +32,7 @@ struct SlipReachSearch::Place {
 class SlipReachSearch::Error {
 public:
     Error(const BallSlip& slip, Edge edge, std::size_t n, const Exact& tolerance)
-        : slip_(slip), edge_(edge), n_(n), bits_(slip.zones().bits()),
+        : slip_(slip), edge_(edge), bits_(slip.zones().bits()),
           tolerance_(formula::enclosed_constant(tolerance, bits_)) {
         const SlipSeries all = slip.series(n);
         kappa_ = edge == Edge::right ? all.right : all.left;
@@ -41,6 +41,7 @@ public:
                 throw BudgetError("the expansion of the slip zone is not enclosed at " +
                                   std::to_string(bits_) + " bits");
             }
+            rates_.push_back(k * static_cast<long>(rates_.size() + 1));
         }
     }
     [[nodiscard]] long bits() const { return bits_; }
@@ -57,17 +58,9 @@ public:
         return p;
     }
     /// d_n.
-    [[nodiscard]] Ball terms(const Ball& tau) const { return slip_sum(kappa_, n_, tau); }
+    [[nodiscard]] Ball terms(const Ball& tau) const { return terms_over(tau) * tau; }
     /// d_n/tau.
     [[nodiscard]] Ball terms_over(const Ball& tau) const { return horner(kappa_, tau); }
-    /// d_n'.
-    [[nodiscard]] Ball terms_rate(const Ball& tau) const {
-        Ball sum = kappa_[n_ - 1] * static_cast<long>(n_);
-        for (std::size_t k = n_ - 1; k-- > 0;) {
-            sum = sum * tau + kappa_[k] * static_cast<long>(k + 1);
-        }
-        return sum;
-    }
     [[nodiscard]] Ball at(const Place& p) const { return terms(ball(p.tau)) / p.d - 1; }
     /// Encloses E' = (d_n' - (1 + E) d')/d over the load ratios between two places, if |E| is at
     /// most twice the tolerance there: over a long interval that bounds d_n/d = 1 + E better than
@@ -80,7 +73,7 @@ public:
         const Ball ratio = enclosed.is_finite() && enclosed.radius() < twice.midpoint()
                                ? enclosed
                                : Ball::hull(1 - twice, 1 + twice);
-        return (terms_rate(tau) - ratio * slip_.rate_between(lo.zone, hi.zone, edge_)) / d;
+        return (horner(rates_, tau) - ratio * slip_.rate_between(lo.zone, hi.zone, edge_)) / d;
     }
     [[nodiscard]] Side side(const Ball& E) const { return side_of(E, tolerance_); }
     [[nodiscard]] bool within(const Ball& E) const { return side(E) == Side::within; }
@@ -92,10 +85,10 @@ public:
 private:
     const BallSlip& slip_;
     Edge edge_;
-    std::size_t n_;
     long bits_;
     Ball tolerance_;
     std::vector<Ball> kappa_;
+    std::vector<Ball> rates_; ///< the coefficients of d_n'
 };
 
 SlipReachSearch::SlipReachSearch(Slip slip, Edge edge, std::size_t n, Exact tolerance)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/slip/slip_series.hpp"
 
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/ball/ball_series.hpp"
 
 namespace edgeproof::contact {
@@ -87,11 +88,9 @@ SlipSeries slip_series(const std::vector<Ball>& right, const std::vector<Ball>& 
 }
 
 Ball slip_sum(const std::vector<Ball>& kappa, std::size_t n, const Ball& tau) {
-    Ball sum = kappa[n - 1];
-    for (std::size_t k = n - 1; k-- > 0;) {
-        sum = sum * tau + kappa[k];
-    }
-    return sum * tau;
+    return horner(std::vector<Ball>(kappa.begin(), kappa.begin() + static_cast<std::ptrdiff_t>(n)),
+                  tau) *
+           tau;
 }
 
 } // namespace edgeproof::contact

@@ -26,10 +26,9 @@ std::size_t number_of_terms(const Exact& terms) {
 /// The value for the one-power law, whose shape is all that the question depends on.
 Ball best_exponent(Edge edge, std::size_t terms, const Exact& tolerance, const Exact& from,
                    const Exact& to) {
-    const auto errors = contact::power_law_errors(Expr::symbol("m"), {},
-                                                  {edge, terms, contact::ReachUnit::fraction});
     contact::ReachProblem problem;
-    problem.edges = {errors.get()};
+    problem.edges = {contact::power_law_errors(Expr::symbol("m"), {},
+                                               {edge, terms, contact::ReachUnit::fraction})};
     problem.tolerance = tolerance.rational();
     problem.part = Rational(1, 2);
     contact::DesignOptions options;

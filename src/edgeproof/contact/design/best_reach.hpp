@@ -22,7 +22,7 @@ struct EvaluationCount {
 /// The comparison of |f| with a tolerance, up to a part of the contact, at one edge or at both
 /// (then the smaller reach counts).
 struct ReachProblem {
-    std::vector<const ErrorFamily*> edges; ///< not owned
+    std::vector<ErrorFamily> edges;
     Rational tolerance;
     Rational part = 1;                ///< the part of a + b that is considered
     EvaluationCount* count = nullptr; ///< not owned; nothing is counted without it

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/design/edge_function.hpp"
+#include "edgeproof/contact/design/error_family.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/ball/acb_values.hpp"
+#include "edgeproof/precision/ball/arb_values.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -102,6 +104,83 @@ bool near_far_end(const Ball& y) {
 Ball both(const Ball& x, const Ball& y) {
     return x.is_finite() && y.is_finite() ? Ball::hull(x, y) : unknown_ball(x.bits());
 }
+
+/// F(y, b), the sum of c_k y^k with c_k = (b)_k/(3/2)_k (DLMF 15.2.1), at many places for one b:
+/// the c_k of the last b are kept.
+class EdgeSum {
+public:
+    /// Encloses F and its derivatives by y, divided by factorials, `count` numbers, for all numbers
+    /// of both balls, 0 <= y < 1. Returns nothing if b may reach 1, if b + k is still negative
+    /// after the few terms that are needed, or if another series needs fewer terms.
+    [[nodiscard]] std::optional<std::vector<Ball>> operator()(const Ball& b, const Ball& y,
+                                                              std::size_t count) {
+        constexpr double most_terms_a_bit = 8;
+        const long bits = y.bits();
+        const Ball size = abs(y);
+        const double ratio = size.upper().convert_to<double>();
+        const double terms = std::ceil(static_cast<double>(bits) / -std::log2(ratio)) + 1;
+        if (!(ratio < 1 && terms < most_terms_a_bit * static_cast<double>(bits)) ||
+            !certainly_less(b, Ball(1, bits))) {
+            return std::nullopt;
+        }
+        const auto n = std::max(static_cast<long>(terms), static_cast<long>(count));
+        if (!certainly_positive(b + n)) {
+            return std::nullopt;
+        }
+        carry(b, n, bits, count);
+        std::vector<Ball> sums;
+        for (std::size_t d = 0; d < count; ++d) {
+            const auto order = static_cast<long>(d);
+            Ball sum(0, bits);
+            _arb_poly_evaluate_rectangular(sum.data(), c_[d][0], n - order, y.data(), bits);
+            // Each term after the n-th is less than y (n + 1)/(n + 1 - d) times the one before,
+            // since 0 < b + k < 3/2 + k.
+            const Ball room = 1 - size * Ball(Rational(n + 1, n + 1 - order), bits);
+            if (!certainly_positive(room)) {
+                return std::nullopt;
+            }
+            Ball rest = pow_int(size, n - order) / room;
+            arb_mul(rest.data(), rest.data(), c_[d][static_cast<std::size_t>(n - order)], bits);
+            arb_add_error(sum.data(), rest.data());
+            sums.push_back(std::move(sum));
+        }
+        return sums;
+    }
+
+private:
+    // Both types have the same memory layout.
+    static_assert(sizeof(ArbValue) == sizeof(arb_struct));
+
+    /// Computes c_0 ... c_n and the coefficients of `count` - 1 derivatives.
+    void carry(const Ball& b, long n, long bits, std::size_t count) {
+        if (bits != bits_ || arb_equal(b.data(), b_) == 0) {
+            bits_ = bits;
+            arb_set(b_, b.data());
+            c_.assign(1, std::vector<ArbValue>(1));
+            arb_one(c_[0][0]);
+        }
+        for (auto k = static_cast<long>(c_[0].size()) - 1; k < n; ++k) {
+            ArbValue next;
+            arb_mul(next, c_[0].back(), ((b + k) * 2).data(), bits);
+            arb_div_si(next, next, 2 * k + 3, bits);
+            c_[0].push_back(std::move(next));
+        }
+        c_.resize(std::max(c_.size(), count));
+        for (std::size_t d = 1; d < count; ++d) {
+            const auto order = static_cast<long>(d);
+            for (auto k = static_cast<long>(c_[d].size()); k + order <= n; ++k) {
+                ArbValue next;
+                arb_mul_si(next, c_[d - 1][static_cast<std::size_t>(k) + 1], k + 1, bits);
+                arb_div_si(next, next, order, bits);
+                c_[d].push_back(std::move(next));
+            }
+        }
+    }
+
+    ArbValue b_;
+    long bits_ = 0;
+    std::vector<std::vector<ArbValue>> c_; ///< c_[d][k] = C(k + d, d) c_(k + d)
+};
 
 thread_local EdgeSum edge_sum; // searches need many places for one b
 
@@ -225,74 +304,6 @@ BallSeries reciprocal_edge_function(const BallSeries& z, const BallSeries& b) {
         sum = sum + dy * F_y + dy * dy * (F_yy / 2) + dy * db * F_yb;
     }
     return BallSeries(one, z.order()) / sum;
-}
-
-namespace {
-
-constexpr double most_terms_a_bit = 8;
-
-// Both types have the same memory layout.
-static_assert(sizeof(ArbValue) == sizeof(arb_struct));
-
-} // namespace
-
-void EdgeSum::carry(const Ball& b, long n, long bits, std::size_t count) {
-    if (bits != bits_ || arb_equal(b.data(), b_) == 0) {
-        bits_ = bits;
-        arb_set(b_, b.data());
-        c_.assign(1, std::vector<ArbValue>(1));
-        arb_one(c_[0][0]);
-    }
-    for (auto k = static_cast<long>(c_[0].size()) - 1; k < n; ++k) {
-        ArbValue next;
-        arb_mul(next, c_[0].back(), ((b + k) * 2).data(), bits);
-        arb_div_si(next, next, 2 * k + 3, bits);
-        c_[0].push_back(std::move(next));
-    }
-    c_.resize(std::max(c_.size(), count));
-    for (std::size_t d = 1; d < count; ++d) {
-        const auto order = static_cast<long>(d);
-        for (auto k = static_cast<long>(c_[d].size()); k + order <= n; ++k) {
-            ArbValue next;
-            arb_mul_si(next, c_[d - 1][static_cast<std::size_t>(k) + 1], k + 1, bits);
-            arb_div_si(next, next, order, bits);
-            c_[d].push_back(std::move(next));
-        }
-    }
-}
-
-std::optional<std::vector<Ball>> EdgeSum::operator()(const Ball& b, const Ball& y,
-                                                     std::size_t count) {
-    const long bits = y.bits();
-    const Ball size = abs(y);
-    const double ratio = size.upper().convert_to<double>();
-    const double terms = std::ceil(static_cast<double>(bits) / -std::log2(ratio)) + 1;
-    if (!(ratio < 1 && terms < most_terms_a_bit * static_cast<double>(bits)) ||
-        !certainly_less(b, Ball(1, bits))) {
-        return std::nullopt;
-    }
-    const auto n = std::max(static_cast<long>(terms), static_cast<long>(count));
-    if (!certainly_positive(b + n)) {
-        return std::nullopt;
-    }
-    carry(b, n, bits, count);
-    std::vector<Ball> sums;
-    for (std::size_t d = 0; d < count; ++d) {
-        const auto order = static_cast<long>(d);
-        Ball sum(0, bits);
-        _arb_poly_evaluate_rectangular(sum.data(), c_[d][0], n - order, y.data(), bits);
-        // Each term after the n-th is less than y (n + 1)/(n + 1 - d) times the one before, since
-        // 0 < b + k < 3/2 + k.
-        const Ball room = 1 - size * Ball(Rational(n + 1, n + 1 - order), bits);
-        if (!certainly_positive(room)) {
-            return std::nullopt;
-        }
-        Ball rest = pow_int(size, n - order) / room;
-        arb_mul(rest.data(), rest.data(), c_[d][static_cast<std::size_t>(n - order)], bits);
-        arb_add_error(sum.data(), rest.data());
-        sums.push_back(std::move(sum));
-    }
-    return sums;
 }
 
 } // namespace edgeproof::contact

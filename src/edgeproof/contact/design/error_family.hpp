@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -93,19 +92,27 @@ struct ParametricSlope : LinearSlope<Expr> {
 };
 
 /// The pressure of a power law of exponent m. Distances need `half_width`.
-[[nodiscard]] std::unique_ptr<ErrorFamily> power_law_errors(const Expr& m,
-                                                            const std::optional<Expr>& half_width,
-                                                            const ErrorQuestion& question);
+[[nodiscard]] ErrorFamily power_law_errors(const Expr& m, const std::optional<Expr>& half_width,
+                                           const ErrorQuestion& question);
 /// The shear traction under full stick at constant P, from Q and sigma_0 (contact/law/shear.hpp);
 /// a + b is a formula (needed for distances and for a tension).
-[[nodiscard]] std::unique_ptr<ErrorFamily> full_stick_errors(const Expr& Q,
-                                                             const Expr& bulk_tension,
-                                                             const Expr& length,
-                                                             const ErrorQuestion& question);
+[[nodiscard]] ErrorFamily full_stick_errors(const Expr& Q, const Expr& bulk_tension,
+                                            const Expr& length, const ErrorQuestion& question);
 /// The pressure of a piecewise linear profile for which a or P is given.
-[[nodiscard]] std::unique_ptr<ErrorFamily> linear_slope_errors(const ParametricSlope& slope,
-                                                               const ParametricLoad& load,
-                                                               const ErrorQuestion& question);
+[[nodiscard]] ErrorFamily linear_slope_errors(const ParametricSlope& slope,
+                                              const ParametricLoad& load,
+                                              const ErrorQuestion& question);
+
+/// 1/F for the pressure of a power law, which is proportional to sqrt(z (1 - z)) F with z = u/(2a),
+/// F = 2F1(1, b; 3/2; y), y = 4 z (1 - z) and b = (1 - m)/2. From Euler's integral (DLMF 15.6.1),
+///   F = 1/2 int_0^1 (1 - t)^(-1/2) (1 - y t)^(-b) dt,
+/// follows that F and all of its derivatives by b grow with b, and that F grows with y where b > 0
+/// and falls where b < 0. Values at the ends of z and b therefore enclose all between, the middle
+/// of the contact (y = 1) included, where F has no derivative by z if m < 1.
+[[nodiscard]] Ball reciprocal_edge_function(const Ball& z, const Ball& b);
+/// The same for series of three terms. At the middle it is finite only if z is a constant.
+[[nodiscard]] BallSeries reciprocal_edge_function(const BallSeries& z, const BallSeries& b);
+
 /// Evaluates formulas in the parameter, as balls or as series in its change t.
 template <class T> struct ParameterValues {
     using Number = T;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/design/edge_function.hpp"
 #include "edgeproof/contact/design/error_family.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 
 namespace edgeproof::contact {
 namespace {
 
-/// With z = u/(2a), p is proportional to sqrt(z (1 - z)) F (edge_function.hpp; docs/pressure.md).
+/// With z = u/(2a), p is proportional to sqrt(z (1 - z)) F (edge_function.cpp; docs/pressure.md).
 template <class T> struct PowerLawError {
     T b;                         ///< (1 - m)/2
     T length;                    ///< in the unit of distances
@@ -61,13 +60,10 @@ template <class T> struct FullStick {
 };
 
 template <class Form>
-std::unique_ptr<ErrorFamily> family_of(const EvaluationCost& cost, const Expr& unit,
-                                       const Form& form) {
-    return std::make_unique<ErrorFamily>(ErrorFamily{cost, [unit, form](const Ball& at) {
-                                                         const ParameterValues<Ball> value{at};
-                                                         return closed_form_error(at, form,
-                                                                                  value(unit));
-                                                     }});
+ErrorFamily family_of(const EvaluationCost& cost, const Expr& unit, const Form& form) {
+    return {cost, [unit, form](const Ball& at) {
+                return closed_form_error(at, form, ParameterValues<Ball>{at}(unit));
+            }};
 }
 
 /// The length a + b if distances are lengths, else 1.
@@ -77,8 +73,8 @@ Expr unit_of(const ErrorQuestion& question, const std::optional<Expr>& length) {
 
 } // namespace
 
-std::unique_ptr<ErrorFamily> power_law_errors(const Expr& m, const std::optional<Expr>& half_width,
-                                              const ErrorQuestion& question) {
+ErrorFamily power_law_errors(const Expr& m, const std::optional<Expr>& half_width,
+                             const ErrorQuestion& question) {
     const auto n = static_cast<double>(question.terms);
     const Expr two = Expr::number(Rational(2));
     const Expr unit =
@@ -91,8 +87,8 @@ std::unique_ptr<ErrorFamily> power_law_errors(const Expr& m, const std::optional
                      });
 }
 
-std::unique_ptr<ErrorFamily> full_stick_errors(const Expr& Q, const Expr& bulk_tension,
-                                               const Expr& length, const ErrorQuestion& question) {
+ErrorFamily full_stick_errors(const Expr& Q, const Expr& bulk_tension, const Expr& length,
+                              const ErrorQuestion& question) {
     const Expr unit = unit_of(question, length);
     const Expr part =
         bulk_tension * length * Expr::number(Rational(question.edge == Edge::right ? 1 : -1, 8));

@@ -148,16 +148,16 @@ private:
 std::vector<ErrorOverBox> ReachProblem::over(const Ball& parameter) const {
     std::vector<ErrorOverBox> all;
     all.reserve(edges.size());
-    for (const ErrorFamily* family : edges) {
+    for (const ErrorFamily& family : edges) {
         if (count == nullptr) {
-            all.push_back(family->over(parameter));
+            all.push_back(family.over(parameter));
             continue;
         }
-        EvaluationCost cost = family->cost;
+        EvaluationCost cost = family.cost;
         const double more = cost_of_bits(parameter.bits());
         cost = {cost.over * more, cost.at * more, cost.along * more};
         charge(*count, cost.over);
-        all.push_back(counted(family->over(parameter), cost, *count));
+        all.push_back(counted(family.over(parameter), cost, *count));
     }
     return all;
 }

@@ -181,12 +181,12 @@ std::optional<contact::ParametricLoad> load_of(const DesignFormulas& of, std::st
 
 } // namespace
 
-std::vector<std::unique_ptr<contact::ErrorFamily>> DesignScene::errors(std::string& why_not) const {
+std::vector<contact::ErrorFamily> DesignScene::errors(std::string& why_not) const {
     contact::ErrorQuestion question;
     question.terms = terms;
     question.unit = unit;
     const DesignFormulas of(*top_, parameter);
-    std::vector<std::unique_ptr<contact::ErrorFamily>> all;
+    std::vector<contact::ErrorFamily> all;
     const auto load = load_of(of, why_not);
     if (!load) {
         return all;

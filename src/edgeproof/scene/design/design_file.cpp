@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/design/design_file.hpp"
+#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/scene/input/readers.hpp"
+#include "edgeproof/scene/route/scene_values.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <cmath>
+#include <limits>
+#include <regex>
 
 namespace edgeproof::scene {
 namespace {
@@ -132,29 +138,13 @@ void read_design_section(const io::TomlSection& section, DesignScene& design) {
     }
 }
 
-bool is_name_character(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 } // namespace
 
 std::string with_name_replaced(std::string_view formula, std::string_view name,
                                std::string_view value) {
-    std::string out;
-    for (std::size_t at = 0; at < formula.size();) {
-        if (!is_name_character(formula[at])) {
-            out += formula[at++];
-            continue;
-        }
-        std::size_t end = at;
-        while (end < formula.size() && is_name_character(formula[end])) {
-            ++end;
-        }
-        const std::string_view word = formula.substr(at, end - at);
-        out += word == name ? fmt::format("({})", value) : std::string(word);
-        at = end;
-    }
-    return out;
+    // Names are words of regular expressions.
+    return std::regex_replace(std::string(formula), std::regex(fmt::format("\\b{}\\b", name)),
+                              fmt::format("({})", value));
 }
 
 Scene DesignScene::at(const Rational& value) const {
@@ -220,6 +210,120 @@ DesignScene parse_design(std::string_view text, const std::string& file,
                     "shear is requested, but there is no [shear]",
                     "add [shear] with Q or bulk_tension");
     return design;
+}
+
+namespace {
+
+constexpr unsigned estimate_digits = 12;
+constexpr long printed_bits = 256;
+/// For reaches without a closed form.
+constexpr contact::SampleGrid coarse_grid{16, 6, 4};
+
+/// Searches for a first exit near the edge before the whole part: most exits lie there, and the
+/// rest of the contact takes long.
+std::vector<Row> extent_at(const DesignScene& design, SceneValues& values, Edge edge) {
+    const AskedValue asked{Quantity::extent, design.terms, edge};
+    const contact::ExtentRange whole{Exact(), Exact::of(design.part)};
+    for (const long share : {8L, 2L}) {
+        if (design.objective == DesignObjective::first_exit && Rational(1, share) < design.part) {
+            values.look_at({whole.from, Exact::of(Rational(1, share))});
+            std::vector<Row> rows = values.search(asked);
+            values.look_at(whole);
+            if (rows.front().reached) {
+                return rows;
+            }
+        }
+    }
+    return values.search(asked);
+}
+
+/// The reach or measure at a single value as a scene of its own, if no closed form is known; NaN
+/// where there is none.
+double score_of_scene(const DesignScene& design, double parameter) {
+    check_interruption();
+    try {
+        Scene scene = design.at(contact::exact_value(Real(parameter))).without_shear();
+        if (!scene.profile || design.shear) {
+            return std::numeric_limits<double>::quiet_NaN();
+        }
+        scene.ask.digits.count = estimate_digits;
+        SceneValues values(std::move(scene));
+        double least = std::numeric_limits<double>::infinity();
+        const bool fraction = design.unit == contact::ReachUnit::fraction;
+        const Quantity quantity = design.objective == DesignObjective::measure
+                                      ? (fraction ? Quantity::measure_fraction : Quantity::measure)
+                                      : (fraction ? Quantity::extent_fraction : Quantity::extent);
+        for (const Edge edge : design.edges) {
+            const std::vector<Row> rows = extent_at(design, values, edge);
+            const BoundedValue& value = RowsAt(rows).at(quantity, design.terms);
+            least = std::min(least, value.value.midpoint().convert_to<double>());
+        }
+        return least;
+    } catch (const Error&) { // no contact, or no profile, for these values
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
+} // namespace
+
+DesignResult run_design(const DesignScene& design, const contact::DesignOptions& options) {
+    DesignResult result;
+    std::string why_not;
+    const auto errors = design.errors(why_not);
+    contact::ReachProblem problem;
+    problem.tolerance = design.tolerance.rational();
+    problem.part = design.part;
+    problem.edges = errors;
+    const bool measure = design.objective == DesignObjective::measure;
+    const auto score = [&](double x) {
+        if (errors.empty()) {
+            return score_of_scene(design, x);
+        }
+        if (measure) {
+            return sampled_measure(problem, x);
+        }
+        const auto at = reach_near(problem, x);
+        return at ? contact::approximate(at->reach) : std::numeric_limits<double>::quiet_NaN();
+    };
+    if (errors.empty() || measure) {
+        if (errors.empty() && design.shear) {
+            throw InputError("nothing is known of the shear traction over this range: " + why_not,
+                             "write of = \"pressure\", or change the scene")
+                .at(design.file, 0);
+        }
+        const contact::SampleGrid samples = errors.empty() ? coarse_grid : contact::SampleGrid{};
+        const auto total = static_cast<std::size_t>(samples.count());
+        std::size_t done = 0;
+        const auto counted = [&](double x) {
+            const double s = score(x);
+            if (options.progress) {
+                options.progress(++done * 1000 / total, 1000);
+            }
+            return s;
+        };
+        const contact::SampledBest found = contact::sampled_best(counted, design.range, samples);
+        if (!found.value) {
+            throw BudgetError("no reach is found anywhere in the range");
+        }
+        result.best.value = Ball::around(Real(*found.value), Real(2 * found.width), 64);
+        result.best.reach =
+            Ball::around(Real(found.score), Real(std::fabs(found.score) * 1e-9), 64);
+        result.missing =
+            errors.empty() ? why_not
+                           : "the measure is found by samples: branch and bound is for first_exit";
+    } else {
+        result.best = best_reach(problem, design.range, options);
+        result.missing = result.best.missing;
+    }
+    if (design.printed) {
+        if (result.missing.empty()) {
+            result.printed_reach = proved_reach(problem, Ball(*design.printed, printed_bits)).reach;
+        } else {
+            result.printed_reach = Ball(Real(score(design.printed->convert_to<double>())), 64);
+        }
+        result.falls_short = 1 - *result.printed_reach / result.best.reach;
+    }
+    return result;
 }
 
 } // namespace edgeproof::scene

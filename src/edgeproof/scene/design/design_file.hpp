@@ -3,7 +3,6 @@
 #include "edgeproof/contact/design/best_reach.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,10 +36,9 @@ public:
     /// Returns the scene for one value of the parameter. Throws InputError if it does not make a
     /// valid scene.
     [[nodiscard]] Scene at(const Rational& value) const;
-    /// Returns the relative error as a function of the parameter in closed form. An element is
-    /// null if there is no closed form; then `why_not` gives the reason, and no proof is possible.
-    [[nodiscard]] std::vector<std::unique_ptr<contact::ErrorFamily>>
-    errors(std::string& why_not) const;
+    /// Returns the relative error at each edge as a function of the parameter in closed form;
+    /// nothing if there is none: then `why_not` gives the reason, and no proof is possible.
+    [[nodiscard]] std::vector<contact::ErrorFamily> errors(std::string& why_not) const;
 
 private:
     friend DesignScene parse_design(std::string_view text, const std::string& file,

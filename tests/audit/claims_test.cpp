@@ -262,21 +262,21 @@ private:
     unsigned digits_ = 34;
 };
 
-std::string evidence_text(const Evidence& evidence, const std::string& path) {
-    const EvidenceItem* item = nullptr;
-    const Evidence* in = &evidence;
-    for (const std::string& key : split(path, "/")) {
-        const auto* list =
-            item == nullptr ? nullptr : std::get_if<std::vector<EvidenceItem>>(&item->value());
-        item = list != nullptr && std::stoul(key) < list->size() ? &list->at(std::stoul(key))
-               : list == nullptr && in != nullptr                ? in->find(key)
-                                                                 : nullptr;
-        if (item == nullptr) {
-            return "missing";
-        }
-        in = std::get_if<Evidence>(&item->value());
+/// The text of an item of the evidence; those of a list are separated by commas.
+std::string item_text(const Evidence& item) {
+    std::string text;
+    for (const Evidence& part : item.is_array() ? item : Evidence::array()) {
+        text += (text.empty() ? "" : ", ") + item_text(part);
     }
-    return item->text();
+    return item.is_array()     ? text
+           : item.is_boolean() ? (item.get<bool>() ? "yes" : "no")
+           : item.is_string()  ? item.get<std::string>()
+                               : item.dump();
+}
+
+std::string evidence_text(const Evidence& evidence, const std::string& path) {
+    const Evidence::json_pointer pointer("/" + path);
+    return evidence.contains(pointer) ? item_text(evidence.at(pointer)) : "missing";
 }
 
 std::string value_of(const ClaimResult& r, const std::string& key) {

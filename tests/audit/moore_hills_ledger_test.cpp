@@ -126,8 +126,7 @@ TEST_CASE("the same results on one thread and on two, and at other digits the sa
     for (std::size_t i = 0; i < one.claims.size(); ++i) {
         CAPTURE(one.claims[i].claim.id);
         CHECK(one.claims[i].outcome.verdict == two.claims[i].outcome.verdict);
-        CHECK(EvidenceItem(one.claims[i].outcome.evidence).text() ==
-              EvidenceItem(two.claims[i].outcome.evidence).text());
+        CHECK(one.claims[i].outcome.evidence == two.claims[i].outcome.evidence);
         CHECK(one.claims[i].outcome.verdict == more.claims[i].outcome.verdict);
         CHECK(one.claims[i].outcome.correct == more.claims[i].outcome.correct);
     }

@@ -204,22 +204,23 @@ std::optional<Evidence> formula_counterexample(const RefutedReading& refuted) {
                              (correct_value ? effort_to_read(*correct_value) : effort_without);
         if (!clearest || total < least) {
             least = total;
-            Evidence with;
+            Evidence with = Evidence::object();
             for (const auto& [name, value] : values) {
-                with.add(name, exact_text(value));
+                with[name] = exact_text(value);
             }
             Evidence found;
             if (!pair->of.empty()) {
-                found.add("coefficient_of", pair->of);
+                found["coefficient_of"] = pair->of;
             }
-            found.add("with", std::move(with))
-                .add("printed", to_text(pair->printed))
-                .add("correct", to_text(pair->correct));
+            found.update({{"with", std::move(with)},
+                          {"printed", to_text(pair->printed)},
+                          {"correct", to_text(pair->correct)}});
             if (printed_value && correct_value) {
-                found.add("printed_value", *printed_value).add("correct_value", *correct_value);
+                found.update(
+                    {{"printed_value", *printed_value}, {"correct_value", *correct_value}});
             }
-            found.add("printed_decimal", decimal_of(printed, *x))
-                .add("correct_decimal", decimal_of(correct, *y));
+            found.update({{"printed_decimal", decimal_of(printed, *x)},
+                          {"correct_decimal", decimal_of(correct, *y)}});
             clearest = std::move(found);
         }
         if (++seen == enough) {
@@ -244,9 +245,9 @@ void compute_dependent(SceneSpec& scene, const Family& family,
 }
 
 Evidence numbers_of(const SceneSpec& scene) {
-    Evidence with;
+    Evidence with = Evidence::object();
     for (const auto& [name, value] : scene.parameters) {
-        with.add(name, value.is_rational() ? exact_text(value.rational()) : value.text());
+        with[name] = value.is_rational() ? exact_text(value.rational()) : value.text();
     }
     return with;
 }
@@ -315,19 +316,17 @@ std::optional<Evidence> reach_counterexample(const RefutedReading& refuted,
     const auto value = [&](const Expr& e) {
         return enclosed_decimal(expand_definitions(e, claim.vocabulary), sample);
     };
-    Evidence found;
-    found.add("with", numbers_of(sample.scene))
-        .add("distance", exact_text(at))
-        .add("of", to_text(reach->base))
-        .add("terms", to_text(reach->terms))
-        .add("edge", side)
-        .add("approximation", value(local))
-        .add("pressure", value(pressure))
-        .add("error", value(error))
-        .add("tolerance", to_text(reach->tolerance))
-        .add("printed_means",
-             quoted > computed ? "at most the tolerance" : "more than the tolerance");
-    return found;
+    return Evidence{
+        {"with", numbers_of(sample.scene)},
+        {"distance", exact_text(at)},
+        {"of", to_text(reach->base)},
+        {"terms", to_text(reach->terms)},
+        {"edge", side},
+        {"approximation", value(local)},
+        {"pressure", value(pressure)},
+        {"error", value(error)},
+        {"tolerance", to_text(reach->tolerance)},
+        {"printed_means", quoted > computed ? "at most the tolerance" : "more than the tolerance"}};
 }
 
 std::optional<Evidence> integral_counterexample(const RefutedReading& refuted,
@@ -345,13 +344,13 @@ std::optional<Evidence> integral_counterexample(const RefutedReading& refuted,
     }
     compute_dependent(sample.scene, context.ledger().family(sample.scene.family), {"a", "t"});
     sample.fraction = Exact::parse("1/2");
-    Evidence found;
-    found.add("with", numbers_of(sample.scene).add("x", "0"))
-        .add("printed", claim.text("says"))
-        .add("correct", refuted.outcome->correct.value_or(claim.text("of")))
-        .add("printed_decimal", enclosed_decimal(claim.formula("says"), sample))
-        .add("correct_decimal", enclosed_decimal(claim.formula("of"), sample));
-    return found;
+    Evidence with = numbers_of(sample.scene);
+    with["x"] = "0";
+    return Evidence{{"with", with},
+                    {"printed", claim.text("says")},
+                    {"correct", refuted.outcome->correct.value_or(claim.text("of"))},
+                    {"printed_decimal", enclosed_decimal(claim.formula("says"), sample)},
+                    {"correct_decimal", enclosed_decimal(claim.formula("of"), sample)}};
 }
 
 } // namespace

@@ -45,21 +45,21 @@ Outcome check_sizes(const Claim& claim, const AuditContext& context) {
     Outcome all;
     std::vector<Judgement> verdicts;
     std::vector<std::string> holding;
-    Evidence each;
+    Evidence each = Evidence::object();
     for (const std::string& size : claim.list("sizes")) {
         const Ledger sized = with_parameter(context.ledger(), claim.text("over"), "a",
                                             parse_formula(size, claim.vocabulary));
         const Outcome one = check_one(claim, AuditContext(sized, context.digits()));
         verdicts.push_back(one.verdict);
-        each.add("a = " + size,
-                 std::string(name_of(one.verdict)) + ": " + one.computed.value_or(one.note));
+        each["a = " + size] =
+            std::string(name_of(one.verdict)) + ": " + one.computed.value_or(one.note);
         if (holds(one.verdict)) {
             holding.push_back(size);
         }
     }
     const std::string sizes = std::to_string(verdicts.size()) + " sizes";
-    all.evidence.add("sizes", each);
-    all.evidence.add("holds_for_a", holding);
+    all.evidence["sizes"] = each;
+    all.evidence["holds_for_a"] = holding;
     if (std::ranges::count(verdicts, Verdict::undecided) > 0) {
         all.note = "the enclosures do not decide at some of " + sizes;
     } else if (holding.empty()) {
@@ -81,25 +81,23 @@ Outcome combined(const Claim& claim, const std::vector<std::pair<std::string, Ou
     std::vector<Judgement> verdicts;
     std::vector<std::string> holding;
     std::vector<std::string> failing;
-    Evidence each;
+    Evidence each = Evidence::object();
     for (const auto& [text, outcome] : readings) {
         verdicts.push_back(outcome.verdict);
         (holds(outcome.verdict) ? holding : failing).push_back(text);
         Evidence one;
-        one.add("verdict", name_of(outcome.verdict));
+        one["verdict"] = name_of(outcome.verdict);
         if (!outcome.note.empty()) {
-            one.add("note", outcome.note);
+            one["note"] = outcome.note;
         }
         if (outcome.computed) {
-            one.add("computed", *outcome.computed);
+            one["computed"] = *outcome.computed;
         }
         if (outcome.correct) {
-            one.add("correct", *outcome.correct);
+            one["correct"] = *outcome.correct;
         }
-        for (const auto& [key, item] : outcome.evidence.entries()) {
-            one.add(key, item);
-        }
-        each.add(text, one);
+        one.update(outcome.evidence);
+        each[text] = one;
         if (!all.computed && outcome.computed) {
             all.computed = outcome.computed;
         }
@@ -119,7 +117,7 @@ Outcome combined(const Claim& claim, const std::vector<std::pair<std::string, Ou
     } else if (!readings.empty()) {
         all.note = readings.front().second.note;
     }
-    all.evidence.add("readings", each);
+    all.evidence["readings"] = each;
     return all;
 }
 
@@ -165,7 +163,7 @@ AuditResult run_audit(const Ledger& ledger, const AuditOptions& options) {
             r.outcome = combined(claim, r.readings);
         }
         if (auto clearest = clearest_counterexample(r, context)) {
-            r.outcome.evidence.add("clearest", std::move(*clearest));
+            r.outcome.evidence["clearest"] = std::move(*clearest);
         }
     };
     const auto run_claim = [&](std::size_t i) {
@@ -285,7 +283,7 @@ LaterFinding at_samples(const LaterResult& later, const Claim& claim, const Audi
     return finding;
 }
 
-using LaterResults = std::map<std::string, std::vector<EvidenceItem>>;
+using LaterResults = std::map<std::string, std::vector<Evidence>>;
 
 void note_as_if(const std::string& id, const Outcome& outcome, const AuditResult& result,
                 LaterResults& found) {
@@ -296,12 +294,10 @@ void note_as_if(const std::string& id, const Outcome& outcome, const AuditResult
                 hypothesis.words.find(row) == std::string::npos) {
                 continue;
             }
-            Evidence one;
-            one.add("claim", id)
-                .add("what", hypothesis.words)
-                .add("comes_to", hypothesis.text())
-                .add("as_printed", hypothesis.gives_the_line);
-            found[earlier.claim.id].emplace_back(std::move(one));
+            found[earlier.claim.id].push_back({{"claim", id},
+                                               {"what", hypothesis.words},
+                                               {"comes_to", hypothesis.text()},
+                                               {"as_printed", hypothesis.gives_the_line}});
         }
     }
 }
@@ -322,16 +318,15 @@ void add_later_results(AuditResult& result, const AuditContext& context) {
             continue;
         }
         check_interruption();
-        Evidence one;
-        one.add("claim", later.claim).add("what", later.words);
+        Evidence one{{"claim", later.claim}, {"what", later.words}};
         try {
             const Claim& claim = plain(to->claim);
             const auto reach = quoted_reach(claim);
             const LaterFinding finding = reach ? at_quoted_distance(later, claim, *reach, context)
                                                : at_samples(later, claim, context);
-            one.add("comes_to", finding.comes_to).add("as_printed", finding.as_printed);
+            one.update({{"comes_to", finding.comes_to}, {"as_printed", finding.as_printed}});
         } catch (const Error& error) { // a limit of the program, not a result
-            one.add("not_computed", error.what());
+            one["not_computed"] = error.what();
         }
         found[later.from].emplace_back(std::move(one));
     }
@@ -343,7 +338,7 @@ void add_later_results(AuditResult& result, const AuditContext& context) {
     }
     for (auto& [id, list] : found) {
         if (ClaimResult* of = claim_of(id)) {
-            of->outcome.evidence.add("later_results", std::move(list));
+            of->outcome.evidence["later_results"] = std::move(list);
         }
     }
 }

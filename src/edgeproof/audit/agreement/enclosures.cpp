@@ -208,7 +208,7 @@ Decision Agreement::decide(Outcome& outcome) const {
         const auto most = std::ranges::min_element(pairs_, {}, [&](const Pair& pair) {
             return pair.refutation(needed) ? pair.digits() : 2 * every_digit;
         });
-        outcome.evidence.add("enclosures", evidence(*most));
+        outcome.evidence["enclosures"] = evidence(*most);
         return *most->refutation(needed);
     }
     std::optional<Confirmation> all;
@@ -216,7 +216,7 @@ Decision Agreement::decide(Outcome& outcome) const {
     for (const Pair& pair : pairs_) {
         if (!pair.printed) {
             outcome.note = "no enclosure: " + pair.problem;
-            outcome.evidence.add("enclosures", Evidence().add("none", pair.problem));
+            outcome.evidence["enclosures"]["none"] = pair.problem;
             return {};
         }
         all = pair.agreement(needed);
@@ -224,7 +224,7 @@ Decision Agreement::decide(Outcome& outcome) const {
             outcome.note = "the enclosures prove " + digits_text(pair.digits()) + " of " +
                            digits_text(needed) + " digits at " +
                            full_text(samples_.all()[pair.sample]);
-            outcome.evidence.add("enclosures", evidence(pair));
+            outcome.evidence["enclosures"] = evidence(pair);
             return {};
         }
         if (pair.apart() &&
@@ -235,9 +235,9 @@ Decision Agreement::decide(Outcome& outcome) const {
     if (!pairs_.empty()) {
         // The digits are rounded down to a tenth.
         const double tenths = std::floor(std::min(worst().digits(), 1.0 * digits_) * 10) / 10;
-        outcome.evidence.add("enclosures", evidence(worst())
-                                               .add("digits_proved", digits_text(tenths))
-                                               .add("samples", pairs_.size()));
+        Evidence& enclosures = outcome.evidence["enclosures"] = evidence(worst());
+        enclosures["digits_proved"] = digits_text(tenths);
+        enclosures["samples"] = pairs_.size();
         outcome.note = "agrees at " + std::to_string(pairs_.size()) +
                        (pairs_.size() == 1 ? " sample" : " samples");
     }
@@ -287,11 +287,10 @@ bool provably_different(const Expr& made, SampledComparison with) {
 
 Evidence pair_evidence(const std::string& at, std::string_view first_name, const Ball& first,
                        std::string_view second_name, const Ball& second, unsigned digits) {
-    return Evidence()
-        .add("at", at)
-        .add(first_name, ball_text(first, digits))
-        .add(second_name, ball_text(second, digits))
-        .add("disjoint", disjoint(first, second));
+    return {{"at", at},
+            {first_name, ball_text(first, digits)},
+            {second_name, ball_text(second, digits)},
+            {"disjoint", disjoint(first, second)}};
 }
 
 } // namespace edgeproof::audit

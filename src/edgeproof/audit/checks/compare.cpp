@@ -157,7 +157,7 @@ public:
         Outcome as_printed;
         const Decision found = agreement_.decide(as_printed);
         if (const auto* holds = std::get_if<Confirmation>(&found)) {
-            outcome.evidence.add("enclosures", *as_printed.evidence.find("enclosures"));
+            outcome.evidence["enclosures"] = as_printed.evidence["enclosures"];
             outcome.note = as_printed.note;
             return Judgement(*holds);
         }
@@ -194,19 +194,20 @@ public:
 private:
     [[nodiscard]] SampledComparison with() const { return {samples_, exact_, scale_, digits_}; }
     void report(Evidence& evidence) const {
-        evidence.add("samples", samples()).add("scenes", samples_.scenes());
+        evidence.update({{"samples", samples()}, {"scenes", samples_.scenes()}});
         if (samples_.left_out() > 0) {
-            evidence.add("samples_left_out", samples_.left_out());
+            evidence["samples_left_out"] = samples_.left_out();
         }
         if (agreement_.screened() > 0) {
-            evidence.add("samples_to_few_digits", agreement_.screened());
+            evidence["samples_to_few_digits"] = agreement_.screened();
         }
         const Pair& worst = agreement_.worst();
-        evidence.add("digits", digits_text(std::min(worst.digits(), static_cast<double>(digits_))))
-            .add("worst_at", full_text(samples_.all()[worst.sample]));
+        evidence.update(
+            {{"digits", digits_text(std::min(worst.digits(), static_cast<double>(digits_)))},
+             {"worst_at", full_text(samples_.all()[worst.sample])}});
         if (!worst.printed) {
-            evidence.add(worst.no_value ? "no_value" : "limit",
-                         worst.no_value.value_or(worst.problem));
+            evidence[worst.no_value ? "no_value" : "limit"] =
+                worst.no_value.value_or(worst.problem);
             return;
         }
         const unsigned shown = worst.digits() > 12 ? digits_ : 20;
@@ -215,7 +216,8 @@ private:
                        ? "0 +- " + bound_text(abs(value).upper())
                        : value_text(value.midpoint(), shown);
         };
-        evidence.add("printed_there", text(*worst.printed)).add("exact_there", text(*worst.exact));
+        evidence.update(
+            {{"printed_there", text(*worst.printed)}, {"exact_there", text(*worst.exact)}});
     }
     /// One equation for each sample. Undecided if a sample has no enclosure.
     [[nodiscard]] Judgement by_decimals(Outcome& outcome) const {
@@ -272,8 +274,8 @@ private:
             return std::nullopt;
         }
         const auto [least, most] = std::ranges::minmax_element(samples, {}, &RatioSample::ratio);
-        evidence.add("ratio_range", std::vector<std::string>{value_text(least->ratio, 12),
-                                                             value_text(most->ratio, 12)});
+        evidence["ratio_range"] =
+            std::vector<std::string>{value_text(least->ratio, 12), value_text(most->ratio, 12)};
         for (const Sample& other : other_contacts(samples_.all().front())) {
             try {
                 const EnclosedSample contact(other, formula::bits_for(30));
@@ -289,7 +291,7 @@ private:
         auto ratio = recognise_ratio(samples, 20);
         if (ratio) {
             ratio = substitute(*ratio, "L", Expr::symbol("a") + Expr::symbol("b"));
-            evidence.add("ratio", to_text(*ratio));
+            evidence["ratio"] = to_text(*ratio);
         }
         return ratio;
     }
@@ -367,9 +369,9 @@ Outcome check_compare(const Claim& claim, const AuditContext& context) {
         outcome.note = "no sample fulfils the condition";
         return outcome;
     }
-    outcome.evidence.add("of", claim.text("of"));
+    outcome.evidence["of"] = claim.text("of");
     if (proved) {
-        outcome.evidence.add("derived", to_text(*derivation));
+        outcome.evidence["derived"] = to_text(*derivation);
     }
     outcome.verdict = comparison.judge(outcome);
     if (proved && outcome.verdict == Verdict::confirmed && !is_rounded(outcome)) {

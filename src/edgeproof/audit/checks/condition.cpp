@@ -209,19 +209,19 @@ Outcome summed_up(const std::vector<RelationInScene>& found, const std::string& 
     }
     const auto unclear = std::ranges::count_if(decisions, is_open);
     Outcome outcome;
-    outcome.evidence.add("holds", holds)
-        .add("scenes", found.size())
-        .add("places", places)
-        .add("scenes_failing", failing.size());
+    outcome.evidence.update({{"holds", holds},
+                             {"scenes", found.size()},
+                             {"places", places},
+                             {"scenes_failing", failing.size()}});
     if (unclear > 0) {
-        outcome.evidence.add("scenes_unclear", unclear);
+        outcome.evidence["scenes_unclear"] = unclear;
     }
     if (narrowest != nullptr) {
         const Margin& margin = *narrowest->decisive;
-        outcome.evidence.add("narrowest_margin", value_text(margin.value, 12))
-            .add("narrowest_at", narrowest->scene);
+        outcome.evidence.update({{"narrowest_margin", value_text(margin.value, 12)},
+                                 {"narrowest_at", narrowest->scene}});
         if (margin.fraction > 0) {
-            outcome.evidence.add("narrowest_at_u_over_L", fraction_text(margin.fraction));
+            outcome.evidence["narrowest_at_u_over_L"] = fraction_text(margin.fraction);
         }
     }
     const std::string of_scenes = std::to_string(found.size()) + " scenes";
@@ -257,8 +257,8 @@ void add_failure(const Claim& claim, const Sample& sample, unsigned digits, Outc
             !refutes(decide({r}, in_balls, AuditContext::digits_needed(digits)))) {
             continue;
         }
-        outcome.evidence.add("enclosures", pair_evidence(full_text(sample), "left_side", *left,
-                                                         "right_side", *right, digits));
+        outcome.evidence["enclosures"] =
+            pair_evidence(full_text(sample), "left_side", *left, "right_side", *right, digits);
         outcome.note += ", where the left side is " + to_decimal(left->midpoint(), digits_shown) +
                         " and the right side is " + to_decimal(right->midpoint(), digits_shown);
         return;
@@ -289,14 +289,14 @@ Outcome along_sweep(const Claim& claim, const AuditContext& context) {
     const auto bad = std::ranges::count_if(decisions, refutes);
     Outcome outcome;
     outcome.verdict = Judgement::of_all(decisions);
-    outcome.evidence.add("along", along)
-        .add("values_taken", sweep.values)
-        .add("samples", sweep.samples.front().size())
-        .add("steps_as_claimed", good)
-        .add("steps_against", bad);
+    outcome.evidence.update({{"along", along},
+                             {"values_taken", sweep.values},
+                             {"samples", sweep.samples.front().size()},
+                             {"steps_as_claimed", good},
+                             {"steps_against", bad}});
     const std::string steps = std::to_string(decisions.size()) + " steps";
     if (first != nullptr) {
-        outcome.evidence.add("against_at", full_text(*first)).add("against", against);
+        outcome.evidence.update({{"against_at", full_text(*first)}, {"against", against}});
         outcome.note =
             "fails at " + std::to_string(bad) + " of " + steps + ", as from " + against.front();
         add_failure(claim, *first, context.digits(), outcome);
@@ -355,7 +355,7 @@ Outcome check_condition(const Claim& claim, const AuditContext& context) {
         add_failure(claim, *failing, context.digits(), outcome);
     }
     if (left_out > 0) {
-        outcome.evidence.add("scenes_left_out", left_out);
+        outcome.evidence["scenes_left_out"] = left_out;
     }
     return outcome;
 }

@@ -23,16 +23,16 @@ std::string power_text(const std::string& variable, const Rational& exponent) {
     return variable + "^(" + exponent.str() + ")";
 }
 
-std::vector<EvidenceItem> terms_evidence(const ExpansionComparison& comparison,
-                                         const std::string& variable) {
-    std::vector<EvidenceItem> list;
+std::vector<Evidence> terms_evidence(const ExpansionComparison& comparison,
+                                     const std::string& variable) {
+    std::vector<Evidence> list;
     for (const auto& term : comparison.terms) {
         Evidence e;
-        e.add("power", power_text(variable, term.exponent)).add("equal", term.equal);
+        e.update({{"power", power_text(variable, term.exponent)}, {"equal", term.equal}});
         if (!term.equal) {
-            e.add("printed", to_text(term.printed));
+            e["printed"] = to_text(term.printed);
         }
-        e.add(term.equal ? "both" : "derived", to_text(term.derived));
+        e[term.equal ? "both" : "derived"] = to_text(term.derived);
         list.emplace_back(std::move(e));
     }
     return list;
@@ -128,8 +128,8 @@ ComparedTerms compare_terms(const ExpansionComparison& comparison,
                 const auto apart = Refutation::disjoint(x, y);
                 if (apart) {
                     const std::string place = full_text(sample);
-                    evidence.add("enclosures", pair_evidence(place, "printed_coefficient", x,
-                                                             "derived_coefficient", y, digits));
+                    evidence["enclosures"] = pair_evidence(place, "printed_coefficient", x,
+                                                           "derived_coefficient", y, digits);
                 }
                 const Ball scale =
                     scale_of_terms(term.printed, at) + scale_of_terms(term.derived, at);
@@ -234,9 +234,9 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
                      "give a smaller power");
     }
     Outcome outcome;
-    outcome.evidence.add("of", claim.text("of"));
+    outcome.evidence["of"] = claim.text("of");
     const ExpansionComparison comparison = compare_expansions(printed, exact, in, under);
-    outcome.evidence.add("terms", terms_evidence(comparison, variable));
+    outcome.evidence["terms"] = terms_evidence(comparison, variable);
 
     const std::vector<Sample> samples = ClaimSamples(claim, context).all();
     if (samples.empty()) {
@@ -244,13 +244,13 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
         return outcome;
     }
     const Remainder remainder = measure_remainder(claim, samples, printed, exact, variable);
-    outcome.evidence.add("samples", remainder.samples);
-    outcome.evidence.add("order_of_the_rest",
-                         remainder.order ? remainder.order->midpoint().str(6, std::ios_base::fixed)
-                                         : "not enclosed, or no rest");
+    outcome.evidence["samples"] = remainder.samples;
+    outcome.evidence["order_of_the_rest"] =
+        remainder.order ? remainder.order->midpoint().str(6, std::ios_base::fixed)
+                        : "not enclosed, or no rest";
     if (variable == "u" && claim.written("of") == Expr::call("p", {Expr::symbol("x")}) &&
         in.through > 0) {
-        outcome.evidence.add("slopes", fitted_slopes(samples.front(), comparison, in.through));
+        outcome.evidence["slopes"] = fitted_slopes(samples.front(), comparison, in.through);
     }
     if (comparison.equal()) {
         const bool contradicted = remainder.contradicts(in.through);
@@ -282,18 +282,18 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
     }
     const auto* wrong = compared.wrong;
     const std::string first = "departs at " + power_text(variable, wrong->exponent);
-    outcome.evidence.add("first_departure", power_text(variable, wrong->exponent));
+    outcome.evidence["first_departure"] = power_text(variable, wrong->exponent);
     if (!remainder.at.empty()) {
-        outcome.evidence.add("worst_at", remainder.at);
+        outcome.evidence["worst_at"] = remainder.at;
     }
     Evidence hypotheses;
     for (const auto& [words, other] : named_formulas(claim, "as_if")) {
         const bool equal = compare_expansions(printed, other, in, under).equal();
         outcome.as_if.push_back({words, equal});
-        hypotheses.add(words, outcome.as_if.back().text());
+        hypotheses[words] = outcome.as_if.back().text();
     }
     if (!hypotheses.empty()) {
-        outcome.evidence.add("as_if", std::move(hypotheses));
+        outcome.evidence["as_if"] = std::move(hypotheses);
     }
     RefutedFormula refuted;
     refuted.printed = claim.written("says");

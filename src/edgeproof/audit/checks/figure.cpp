@@ -195,7 +195,7 @@ Outcome compare_figure(const Claim& claim, const AuditContext& context) {
     const ClaimSamples samples(claim, context);
     const PrecisionScope scope(digits + 20);
     Outcome outcome;
-    outcome.evidence.add("of", claim.text("of")).add("samples", samples.all().size());
+    outcome.evidence.update({{"of", claim.text("of")}, {"samples", samples.all().size()}});
     std::vector<Real> values;
     std::optional<Real> at_worst;
     int worst = -1;
@@ -212,11 +212,11 @@ Outcome compare_figure(const Claim& claim, const AuditContext& context) {
             at_worst = value;
             outcome.verdict = found.verdict;
             outcome.computed = figure.text(value);
-            outcome.evidence.add("at", full_text(sample))
-                .add("value", value_text(value, context.digits()))
-                .add("rounds_to", figure.rounded(value))
-                .add("units_off", figure.units_off(value))
-                .add("enclosure", ball_text(*found.value, context.digits()));
+            outcome.evidence.update({{"at", full_text(sample)},
+                                     {"value", value_text(value, context.digits())},
+                                     {"rounds_to", figure.rounded(value)},
+                                     {"units_off", figure.units_off(value)},
+                                     {"enclosure", ball_text(*found.value, context.digits())}});
         }
         values.push_back(value);
     }
@@ -225,8 +225,8 @@ Outcome compare_figure(const Claim& claim, const AuditContext& context) {
         return outcome;
     }
     const auto [least, most] = std::ranges::minmax(values);
-    outcome.evidence.add("range",
-                         std::vector<std::string>{figure.text(least, 12), figure.text(most, 12)});
+    outcome.evidence["range"] =
+        std::vector<std::string>{figure.text(least, 12), figure.text(most, 12)};
     outcome.note = outcome.verdict == Verdict::undecided
                        ? "the enclosure does not decide how it is rounded"
                        : figure.note(*at_worst);

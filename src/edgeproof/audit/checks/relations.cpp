@@ -46,11 +46,11 @@ std::optional<PolynomialRelation> search(const Claim& claim,
     }
     std::size_t i = 0;
     std::erase_if(quantities, [&](const RelatedQuantity&) { return bool{left_out[i++]}; });
-    outcome.evidence.add("relations_up_to_degree", std::to_string(degree))
-        .add("relations_proved_by_symbols", texts)
-        .add("every_other_is_a_sum_of_their_multiples", found.complete)
-        .add("monomials", found.monomials)
-        .add("samples", found.samples);
+    outcome.evidence.update({{"relations_up_to_degree", std::to_string(degree)},
+                             {"relations_proved_by_symbols", texts},
+                             {"every_other_is_a_sum_of_their_multiples", found.complete},
+                             {"monomials", found.monomials},
+                             {"samples", found.samples}});
     if (best) {
         outcome.note = ", proved by symbols: " + relation_text(*best, all);
         outcome.computed = solved_text(*best, all, 0);
@@ -74,7 +74,7 @@ Outcome check_relations(const Claim& claim, const AuditContext& context) {
         quantities.push_back({text, formula});
     }
     Outcome outcome;
-    outcome.evidence.add("of", claim.text("of")).add("from", claim.list("from"));
+    outcome.evidence.update({{"of", claim.text("of")}, {"from", claim.list("from")}});
     const auto relation = search(claim, quantities, under, outcome);
     GradientRanks ranks = gradient_ranks(quantities, under);
     if (relation) {
@@ -87,8 +87,8 @@ Outcome check_relations(const Claim& claim, const AuditContext& context) {
     const Ball others(static_cast<long>(ranks.others), rank_bits);
     const Ball more = others + 1;
     const bool independent = claim.text("says") == "independent";
-    outcome.evidence.add("rank_of_the_others", ranks.others)
-        .add("rank_of_all", ranks.others + (*ranks.function ? 0 : 1));
+    outcome.evidence.update({{"rank_of_the_others", ranks.others},
+                             {"rank_of_all", ranks.others + (*ranks.function ? 0 : 1)}});
     outcome.verdict = Judgement(independent == *ranks.function
                                     ? decision(Refutation::less(others, more), std::nullopt)
                                     : decision(std::nullopt, Confirmation::less(others, more)));

@@ -46,9 +46,8 @@ void find_correction(const RefutedFormula& refuted, Outcome& outcome) {
             break;
         }
         if (accept(refuted, edit.formula, outcome)) {
-            Evidence e;
-            e.add("what", edit.what).add("printed", edit.before).add("correct", edit.after);
-            outcome.evidence.add("edit", std::move(e));
+            outcome.evidence["edit"] = {
+                {"what", edit.what}, {"printed", edit.before}, {"correct", edit.after}};
             outcome.note = edit.what + ": " + edit.before + " should be " + edit.after;
             return;
         }
@@ -70,7 +69,7 @@ void find_correction(const RefutedFormula& refuted, Outcome& outcome) {
     }
     if (refuted.derived && accept(refuted, *refuted.derived, outcome)) {
         outcome.note = "no edit makes it right; the derived form is given";
-        outcome.evidence.add("derived_instead", true);
+        outcome.evidence["derived_instead"] = true;
         return;
     }
     outcome.note = "no correction was found";

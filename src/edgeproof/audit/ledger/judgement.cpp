@@ -97,47 +97,6 @@ Judgement Judgement::of_readings(const std::vector<Judgement>& readings) {
     return is(Verdict::undecided) > 0 ? Judgement() : readings.front();
 }
 
-Evidence& Evidence::add(std::string_view key, EvidenceItem value) {
-    const auto known = std::ranges::find(entries_, key, &Entry::first);
-    if (known != entries_.end()) {
-        known->second = std::move(value);
-    } else {
-        entries_.emplace_back(std::string(key), std::move(value));
-    }
-    return *this;
-}
-
-const EvidenceItem* Evidence::find(std::string_view key) const {
-    const auto known = std::ranges::find(entries_, key, &Entry::first);
-    return known == entries_.end() ? nullptr : &known->second;
-}
-
-namespace {
-
-struct OneLine {
-    std::string operator()(const std::string& text) const { return text; }
-    std::string operator()(long count) const { return std::to_string(count); }
-    std::string operator()(bool yes) const { return yes ? "yes" : "no"; }
-    std::string operator()(const std::vector<EvidenceItem>& list) const {
-        std::string text;
-        for (const EvidenceItem& item : list) {
-            text += (text.empty() ? "" : ", ") + item.text();
-        }
-        return text;
-    }
-    std::string operator()(const Evidence& nested) const {
-        std::string text;
-        for (const auto& [key, item] : nested.entries()) {
-            text += (text.empty() ? "" : ", ") + key + " " + item.text();
-        }
-        return text;
-    }
-};
-
-} // namespace
-
-std::string EvidenceItem::text() const { return std::visit(OneLine{}, value_); }
-
 std::string_view name_of(Verdict verdict) {
     static constexpr std::array<std::string_view, all_verdicts.size()> names{
         "proved", "confirmed", "imprecise", "refuted", "underspecified", "undecided", "definition"};

@@ -3,8 +3,9 @@
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
-#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -117,51 +118,10 @@ private:
     Verdict verdict_ = Verdict::undecided;
 };
 
-class EvidenceItem;
-
-/// The reasons for a verdict: keys with values, in the order in which they were added. JSON and the
-/// tables keep this order. Computed numbers are stored as text, already rounded.
-class Evidence {
-public:
-    using Entry = std::pair<std::string, EvidenceItem>;
-
-    /// Adds `key`, or replaces its value without changing the order.
-    Evidence& add(std::string_view key, EvidenceItem value);
-    [[nodiscard]] const std::vector<Entry>& entries() const noexcept { return entries_; }
-    [[nodiscard]] bool empty() const noexcept;
-    /// Returns nullptr if the key is missing.
-    [[nodiscard]] const EvidenceItem* find(std::string_view key) const;
-
-private:
-    std::vector<Entry> entries_;
-};
-
-/// A text, an integer, a Boolean, a list, or nested evidence.
-class EvidenceItem {
-public:
-    using Value = std::variant<std::string, long, bool, std::vector<EvidenceItem>, Evidence>;
-
-    EvidenceItem(std::string text) : value_(std::move(text)) {} // NOLINT: converts on purpose
-    EvidenceItem(std::string_view text) : value_(std::string(text)) {}   // NOLINT
-    EvidenceItem(const char* text) : value_(std::string(text)) {}        // NOLINT
-    template <std::same_as<bool> B> EvidenceItem(B yes) : value_(yes) {} // NOLINT
-    template <std::integral N>
-    requires(!std::same_as<N, bool>) EvidenceItem(N count)
-        : value_(static_cast<long>(count)) {}                                 // NOLINT
-    EvidenceItem(std::vector<EvidenceItem> list) : value_(std::move(list)) {} // NOLINT
-    EvidenceItem(Evidence nested) : value_(std::move(nested)) {}              // NOLINT
-    EvidenceItem(const std::vector<std::string>& texts)                       // NOLINT
-        : value_(std::vector<EvidenceItem>(texts.begin(), texts.end())) {}
-
-    [[nodiscard]] const Value& value() const noexcept { return value_; }
-    /// Returns the value on one line, for tables.
-    [[nodiscard]] std::string text() const;
-
-private:
-    Value value_;
-};
-
-inline bool Evidence::empty() const noexcept { return entries_.empty(); }
+/// The reasons for a verdict: keys with texts, integers, Booleans, lists or nested evidence, in the
+/// order in which they were added, which JSON and the tables keep. Computed numbers are stored as
+/// text, already rounded.
+using Evidence = nlohmann::ordered_json;
 
 /// A coefficient of a printed expansion, and the right one.
 struct WrongCoefficient {
@@ -185,14 +145,14 @@ struct Outcome {
     std::string note;                    ///< one line for the table
     std::optional<std::string> correct;  ///< the corrected formula, itself confirmed or proved
     std::optional<std::string> computed; ///< the computed figure or formula
-    Evidence evidence;
+    Evidence evidence = Evidence::object();
     std::optional<WrongCoefficient> wrong_coefficient; ///< the first of an expansion
     std::vector<Hypothesis> as_if;
 };
 
 /// Confirmed as a rounded formula: right to the printed digits of its decimals.
 [[nodiscard]] inline bool is_rounded(const Outcome& outcome) {
-    return outcome.verdict == Verdict::confirmed && outcome.evidence.find("rounded") != nullptr;
+    return outcome.verdict == Verdict::confirmed && outcome.evidence.contains("rounded");
 }
 
 } // namespace edgeproof::audit

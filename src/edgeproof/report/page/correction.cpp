@@ -125,7 +125,7 @@ std::optional<Correction> correction_of(const audit::ClaimResult& result,
         return std::nullopt;
     }
     const Typeset by{*claim, source};
-    const Json evidence = evidence_json(outcome->evidence);
+    const Json& evidence = outcome->evidence;
     if (evidence.contains("derived_instead")) {
         for (const Json& term : evidence.value("terms", Json::array())) {
             if (!text_in(term, "printed").empty()) {
@@ -175,7 +175,7 @@ std::string correction_in_words(const audit::ClaimResult& result, const PrintedS
 
 std::vector<std::string> counterexample_steps(const audit::ClaimResult& result,
                                               const PrintedSource& source) {
-    const Json c = evidence_json(result.outcome.evidence).value("clearest", Json::object());
+    const Json c = result.outcome.evidence.value("clearest", Json::object());
     if (!c.contains("with")) {
         return {};
     }

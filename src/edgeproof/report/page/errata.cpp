@@ -53,8 +53,7 @@ Weight weight_of(const audit::ClaimResult& result, const ById& all) {
 
 std::vector<LaterWords> later_results_of(const audit::ClaimResult& result) {
     std::vector<LaterWords> all;
-    for (const auto& one :
-         evidence_json(result.outcome.evidence).value("later_results", Json::array())) {
+    for (const auto& one : result.outcome.evidence.value("later_results", Json::array())) {
         if (one.contains("as_printed")) {
             all.push_back({text_in(one, "claim"), text_in(one, "what"), text_in(one, "comes_to"),
                            one["as_printed"].get<bool>()});

@@ -11,7 +11,7 @@
 
 namespace edgeproof::report {
 
-/// Returns a text of evidence (evidence_json); empty if there is none.
+/// Returns a text of evidence; empty if there is none.
 [[nodiscard]] std::string text_in(const nlohmann::ordered_json& evidence, const std::string& key);
 
 /// A correction in the notation of the source, as TeX.

@@ -223,9 +223,8 @@ Json claim_values(const audit::ClaimResult& result, const PageHead& head) {
                             : Json{{"path", theorem->second.path},
                                    {"sha256", theorem->second.sha256},
                                    {"statements", theorem->second.statements}}},
-            {"evidence", outcome.evidence.empty()
-                             ? ""
-                             : evidence_html(evidence_json(outcome.evidence), claim, source)}};
+            {"evidence",
+             outcome.evidence.empty() ? "" : evidence_html(outcome.evidence, claim, source)}};
 }
 
 } // namespace edgeproof::report

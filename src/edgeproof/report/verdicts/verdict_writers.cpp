@@ -24,25 +24,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Cells = std::vector<std::string>;
 
-Json to_json(const audit::EvidenceItem& item) {
-    return std::visit(
-        [](const auto& value) -> Json {
-            using V = std::remove_cvref_t<decltype(value)>;
-            if constexpr (std::is_same_v<V, audit::Evidence>) {
-                return evidence_json(value);
-            } else if constexpr (std::is_same_v<V, std::vector<audit::EvidenceItem>>) {
-                Json list = Json::array();
-                for (const audit::EvidenceItem& part : value) {
-                    list.push_back(to_json(part));
-                }
-                return list;
-            } else {
-                return value;
-            }
-        },
-        item.value());
-}
-
 Json or_null(const std::optional<std::string>& text) { return text ? Json(*text) : Json(nullptr); }
 std::string or_empty(const std::optional<std::string>& text) { return text.value_or(""); }
 
@@ -88,14 +69,6 @@ std::string breakable_latex(std::string_view text) {
 }
 
 } // namespace
-
-Json evidence_json(const audit::Evidence& evidence) {
-    Json object = Json::object();
-    for (const auto& [key, item] : evidence.entries()) {
-        object[key] = to_json(item);
-    }
-    return object;
-}
 
 std::array<std::size_t, audit::all_verdicts.size()>
 count_verdicts(const audit::AuditResult& result) {
@@ -151,7 +124,7 @@ std::string verdicts_json(const audit::AuditResult& result) {
                 evidence["says_as_typed"] = *typed;
             }
         }
-        evidence.update(evidence_json(r.outcome.evidence));
+        evidence.update(r.outcome.evidence);
         c["evidence"] = std::move(evidence);
         claims.push_back(std::move(c));
     }

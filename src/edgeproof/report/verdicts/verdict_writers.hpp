@@ -2,8 +2,6 @@
 #pragma once
 #include "edgeproof/audit/run.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <array>
 #include <cstddef>
 #include <filesystem>
@@ -17,9 +15,6 @@ namespace edgeproof::report {
 count_verdicts(const audit::AuditResult& result);
 /// Returns "61 proved, 30 confirmed, 12 refuted, ..." without zeros.
 [[nodiscard]] std::string counts_line(const audit::AuditResult& result);
-
-/// The evidence of verdicts.json.
-[[nodiscard]] nlohmann::ordered_json evidence_json(const audit::Evidence& evidence);
 
 /// The results as text, identical in every byte for the same results.
 [[nodiscard]] std::string verdicts_json(const audit::AuditResult& result);

@@ -272,19 +272,17 @@ bool none_vanishes(const std::vector<PrintedDecimal>& decimals, const std::vecto
 Described describe(const std::vector<PrintedDecimal>& decimals, const std::vector<Real>& numbers,
                    std::size_t comparisons, unsigned digits, Outcome& outcome) {
     const PrecisionScope scope(digits + 20);
-    std::vector<EvidenceItem> list;
+    std::vector<Evidence> list;
     Described all;
     for (std::size_t k = 0; k < decimals.size(); ++k) {
         const PrintedDecimal& printed = decimals[k];
         const Real off =
             (numbers[k] - from_rational<Real>(printed.value)) / from_rational<Real>(printed.unit);
         const bool rounds = abs(off) <= Real(1) / 2;
-        Evidence one;
-        one.add("printed", printed.text)
-            .add("stands_for", to_decimal(numbers[k], digits))
-            .add("units_off", to_decimal(off, 3))
-            .add("rounds_to_it", rounds);
-        list.emplace_back(std::move(one));
+        list.push_back({{"printed", printed.text},
+                        {"stands_for", to_decimal(numbers[k], digits)},
+                        {"units_off", to_decimal(off, 3)},
+                        {"rounds_to_it", rounds}});
         const std::size_t known = printed.significant_digits();
         const std::string exactly = to_decimal(numbers[k], static_cast<unsigned>(known) + 5);
         std::string& text = rounds ? all.right : all.off;
@@ -294,9 +292,8 @@ Described describe(const std::vector<PrintedDecimal>& decimals, const std::vecto
                        : printed.text + " should be " + printed.in_its_place(numbers[k]) +
                              " (exactly " + exactly + "...)";
     }
-    Evidence e;
-    e.add("constants", std::move(list)).add("samples", comparisons).add("digits", digits);
-    outcome.evidence.add("rounded", std::move(e));
+    outcome.evidence["rounded"] = {
+        {"constants", list}, {"samples", comparisons}, {"digits", digits}};
     return all;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/audit.hpp"
+#include "edgeproof/audit/run.hpp"
 #include "tests/support/namespaces.hpp"
 #include "tests/support/paths.hpp"
 

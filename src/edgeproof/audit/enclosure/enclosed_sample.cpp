@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 
-#include "edgeproof/audit/enclosure/contact_formulas.hpp"
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/contact/stress/plane_stress.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
@@ -52,6 +51,9 @@ void EnclosedSample::set_place(Edge edge, const Ball& u) {
 Ball EnclosedSample::symbol(std::string_view name) const {
     if (const auto it = names_.find(name); it != names_.end()) {
         return it->second;
+    }
+    if (formulas_ && formulas_->constants().contains(name)) {
+        return formulas_->constants().find(name)->second;
     }
     if (name == "u" || name == "x") {
         if (!u_) {
@@ -279,25 +281,6 @@ constexpr const char* names_of_formulas[] = {"a", "b", "Q", "sig0"};
 
 } // namespace
 
-/// A sample with the constants of ContactFormulas.
-struct EnclosedSample::WithConstants {
-    const EnclosedSample& sample;
-    const std::map<std::string, Ball, std::less<>>& constants;
-    [[nodiscard]] Ball number(const Rational& q) const { return sample.number(q); }
-    [[nodiscard]] Ball pi() const { return sample.pi(); }
-    [[nodiscard]] Ball symbol(std::string_view name) const {
-        const auto it = constants.find(name);
-        return it != constants.end() ? it->second : sample.symbol(name);
-    }
-    [[nodiscard]] Ball call(const Expr& node, std::span<const Ball> args) const {
-        return sample.call(node, args);
-    }
-    [[nodiscard]] Ball binder(const Expr& node) const {
-        return node.kind() == Expr::Kind::sum ? evaluate_sum<Ball>(node, *this)
-                                              : sample.binder(node);
-    }
-};
-
 template <class Use> auto EnclosedSample::in_surroundings(const Expr& node, const Use& use) const {
     if (slips() && holds_call(node, "q")) {
         throw Error("q of partial slip has no enclosure inside an integral");
@@ -308,10 +291,10 @@ template <class Use> auto EnclosedSample::in_surroundings(const Expr& node, cons
                                                         node.arg(1).name() == name;
                                              }) ||
                          sample_.scene.parameters.contains("b");
-    std::optional<ContactFormulas> formulas;
-    if (!renamed && holds_function(node)) {
-        formulas.emplace(profile_, closed_form("an integral"),
-                         ball_of(scene_->contact_modulus, bits_));
+    const bool with_contact = !renamed && holds_function(node);
+    if (with_contact && !formulas_) {
+        formulas_.emplace(profile_, closed_form("an integral"),
+                          ball_of(scene_->contact_modulus, bits_));
     }
     // Limits such as k*a with k = 1 are compared with the edges by symbols.
     Expr with_values = node;
@@ -320,15 +303,13 @@ template <class Use> auto EnclosedSample::in_surroundings(const Expr& node, cons
             with_values = substitute(with_values, name, value.expr());
         }
     }
-    static const std::map<std::string, Ball, std::less<>> none;
-    const WithConstants scope{*this, formulas ? formulas->constants() : none};
     IntegralSurroundings around;
-    around.value = [&](const Expr& e) { return formula::evaluate<Ball>(e, scope); };
+    around.value = [&](const Expr& e) { return evaluate(e); };
     around.rational = [&](const Expr& e) -> std::optional<Rational> {
         const auto exact = constant(e);
         return exact && exact->is_rational() ? std::optional(exact->rational()) : std::nullopt;
     };
-    around.contact = formulas ? &*formulas : nullptr;
+    around.contact = with_contact ? &*formulas_ : nullptr;
     around.law = profile_.symmetric() && !renamed ? EdgeLaw::symmetric : EdgeLaw::any;
     around.bits = bits_;
     return use(with_values, around);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
+#include "edgeproof/audit/enclosure/contact_formulas.hpp"
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
 #include "edgeproof/audit/sample/audit_context.hpp"
 #include "edgeproof/contact/curved/curved_slope.hpp"
@@ -157,7 +158,6 @@ private:
                                               own_place ? std::nullopt : constant(written));
     }
 
-    struct WithConstants;
     /// Returns the value of an integral or principal value.
     [[nodiscard]] Ball integral(const Expr& node) const;
     /// Returns use(integral, surroundings), with the variables of the sample put in.
@@ -222,6 +222,7 @@ private:
     std::set<std::string> overridden_; ///< names whose exact value in the sample is no longer valid
     mutable std::unique_ptr<PartialSlip> slip_; ///< computed on first use
     mutable std::unique_ptr<EnclosedSample> next_;
+    mutable std::optional<ContactFormulas> formulas_; ///< its constants are names as well
     /// The integrals that were enclosed, or the reasons why they were not, for the many variants of
     /// a formula in a diagnosis.
     mutable std::unordered_map<Expr, std::variant<Ball, std::exception_ptr>, formula::ExprHash>

@@ -2,7 +2,6 @@
 #pragma once
 #include "edgeproof/audit/enclosure/tilted_path.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
-#include "edgeproof/formula/evaluation/program.hpp"
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/ball/complex_box.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -12,6 +11,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace edgeproof::audit {
@@ -48,13 +48,11 @@ public:
     /// Throws Error for a part without an enclosure.
     Integrand(const Expr& f, std::string variable, IntegrandMeaning meaning, long bits)
         : variable_(std::move(variable)), meaning_(std::move(meaning)), bits_(bits),
-          program_(f, inputs(variable_, meaning_),
-                   [this](const Expr& part) { return written_out(part); }),
-          valued_(program_.parts().size(), ValuedBox(bits)), zero_(valued_.size(), false),
-          sloped_(valued_.size(), false) {
+          result_(compiled(f)), valued_(steps_.size(), ValuedBox(bits)),
+          zero_(valued_.size(), false), sloped_(valued_.size(), false) {
         for (std::size_t slot = 0; slot < valued_.size(); ++slot) {
-            const Step& step = program_.parts()[slot];
-            if (step.role == Step::Role::constant) {
+            const Step& step = steps_[slot];
+            if (step.role == Role::constant) {
                 valued_[slot].w = valued_[slot].end = Box(meaning_.constant(step.source));
             }
             exponents_.push_back(step.is_operation() && step.kind == Kind::pow
@@ -72,11 +70,7 @@ public:
     }
 
     /// True if the formula reduces to the constant 0.
-    [[nodiscard]] bool vanishes() const {
-        const Step& result = program_.parts()[program_.result()];
-        const Rational* q = result.source.rational();
-        return result.role == Step::Role::constant && q != nullptr && *q == 0;
-    }
+    [[nodiscard]] bool vanishes() const { return is_zero(result_); }
     enum class Centre {
         rooted, ///< n is as large as needed for roots of parts that vanish at the centre
         pole,   ///< n = 1, v of either sign; zeros at the centre are ignored if one is under a root
@@ -105,7 +99,7 @@ public:
     void at(acb_ptr out, const Box& v, bool analytic) {
         check_interruption();
         run(v, analytic);
-        const ValuedBox& f = valued_[program_.result()];
+        const ValuedBox& f = valued_[result_];
         Box y = f.w;
         multiply_by_power(y, f.k + power_ - 1);
         acb_mul_si(out, y.get(), power_, bits_);
@@ -120,7 +114,7 @@ public:
     };
     [[nodiscard]] Leading leading(const Box& v) {
         run(v, true);
-        return {valued_[program_.result()].k, valued_[program_.result()].w};
+        return {valued_[result_].k, valued_[result_].w};
     }
 
 private:
@@ -132,18 +126,32 @@ private:
         Box end;
         Box slope;
     };
-    using Step = formula::Program::Part;
-
-    /// The inputs of the program: the variable, and with a path b and P' at its argument.
+    enum class Role { input, constant, operation };
+    /// A part of the formula. Equal parts are computed once, parts without the variable beforehand.
+    struct Step {
+        Role role;
+        Expr::Kind kind; ///< of the operation
+        Expr source;
+        std::vector<std::size_t> operands; ///< of an operation: places of previous steps
+        [[nodiscard]] bool is_operation() const { return role == Role::operation; }
+    };
+    /// The inputs: the variable, and with a path b and P' at its argument.
     enum Input { of_variable, of_edge, of_force_rate };
-    [[nodiscard]] static std::vector<Expr> inputs(const std::string& variable,
-                                                  const IntegrandMeaning& meaning) {
-        std::vector<Expr> all{Expr::symbol(variable)};
-        if (meaning.path != nullptr) {
-            all.push_back(Expr::call("bof", {*meaning.path_argument}));
-            all.push_back(Expr::call("P1of", {*meaning.path_argument}));
-        }
-        return all;
+    /// Makes the inputs and the steps of a formula, and returns the place of its value. The product
+    /// of the number 0 and any other factor is this number 0, and so is a quotient of 0 and a part
+    /// that is not this number.
+    [[nodiscard]] std::size_t compiled(const Expr& f);
+    [[nodiscard]] std::size_t place_of(const Expr& part);
+    [[nodiscard]] std::size_t new_place_of(const Expr& part);
+    [[nodiscard]] std::size_t add(Role role, Expr::Kind kind, const Expr& source,
+                                  std::vector<std::size_t> operands = {}) {
+        steps_.push_back({role, kind, source, std::move(operands)});
+        return steps_.size() - 1;
+    }
+    /// True for the number 0.
+    [[nodiscard]] bool is_zero(std::size_t place) const {
+        const Rational* q = steps_[place].source.rational();
+        return steps_[place].role == Role::constant && q != nullptr && *q == 0;
     }
     /// Checks that a part has an enclosure, and replaces functions of the contact by formulas.
     [[nodiscard]] std::optional<Expr> written_out(const Expr& part) const;
@@ -160,7 +168,7 @@ private:
         place(at);
         apply_zero(of_variable);
         for (std::size_t slot = 0; slot < valued_.size(); ++slot) {
-            if (program_.parts()[slot].is_operation()) {
+            if (steps_[slot].is_operation()) {
                 take(slot);
             }
         }
@@ -240,11 +248,11 @@ private:
         };
         place(start_);
         for (std::size_t slot = 0; slot < valued_.size(); ++slot) {
-            const Step& step = program_.parts()[slot];
+            const Step& step = steps_[slot];
             if (step.is_operation()) {
                 take(slot);
                 look(slot, step.kind == Kind::add || step.kind == Kind::sub, step.source);
-            } else if (step.role == Step::Role::input) {
+            } else if (step.role == Role::input) {
                 look(slot, slot == of_variable, step.source);
             }
         }
@@ -259,7 +267,7 @@ private:
         Integer common = 1;
         bool roots = false; // of parts that vanish at the centre
         for (std::size_t slot = 0; slot < valued_.size(); ++slot) {
-            const Step& step = program_.parts()[slot];
+            const Step& step = steps_[slot];
             Rational& here = order[slot];
             const auto part = [&](std::size_t k) -> const Rational& {
                 return order[step.operands[k]];
@@ -309,7 +317,7 @@ private:
         for (std::size_t slot = valued_.size(); slot-- > 0;) {
             sloped_[slot] = sloped_[slot] || zero_[slot];
             if (sloped_[slot]) {
-                for (const std::size_t operand : program_.parts()[slot].operands) {
+                for (const std::size_t operand : steps_[slot].operands) {
                     sloped_[operand] = true;
                 }
             }
@@ -317,7 +325,7 @@ private:
         wants_slopes_ = std::ranges::any_of(sloped_, [](bool x) { return x; });
     }
 
-    /// Computes an operation of the program.
+    /// Computes an operation.
     void take(std::size_t slot);
     void take_sum(const Step& step, std::size_t slot);
     void take_product(const Step& step, std::size_t slot);
@@ -334,9 +342,11 @@ private:
     std::string variable_;
     IntegrandMeaning meaning_;
     long bits_;
-    formula::Program program_;
+    std::vector<Step> steps_; ///< the inputs, and then each part after its operands
+    std::unordered_map<Expr, std::size_t, formula::ExprHash> places_; ///< of the parts
+    std::size_t result_;
     std::vector<std::optional<Rational>> exponents_; ///< of powers, if they are rational
-    std::vector<ValuedBox> valued_;                  ///< by places in the program
+    std::vector<ValuedBox> valued_;                  ///< by places of steps
     std::vector<bool> zero_;                         ///< proved to vanish at the centre
     std::vector<bool> sloped_;                       ///< the divided difference is needed
     bool wants_slopes_ = false;

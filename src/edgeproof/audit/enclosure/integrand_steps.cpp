@@ -72,8 +72,48 @@ std::optional<Expr> Integrand::written_out(const Expr& e) const {
     return meaning_.written_out(e);
 }
 
+std::size_t Integrand::compiled(const Expr& f) {
+    std::vector<Expr> inputs{Expr::symbol(variable_)};
+    if (meaning_.path != nullptr) {
+        inputs.push_back(Expr::call("bof", {*meaning_.path_argument}));
+        inputs.push_back(Expr::call("P1of", {*meaning_.path_argument}));
+    }
+    for (const Expr& input : inputs) {
+        places_.emplace(input, add(Role::input, input.kind(), input));
+    }
+    return place_of(f);
+}
+
+std::size_t Integrand::place_of(const Expr& part) {
+    if (const auto it = places_.find(part); it != places_.end()) {
+        return it->second;
+    }
+    const std::size_t place = new_place_of(part);
+    places_.emplace(part, place);
+    return place;
+}
+
+std::size_t Integrand::new_place_of(const Expr& e) {
+    if (!holds_symbol(e, variable_)) {
+        return add(Role::constant, e.kind(), e);
+    }
+    if (const auto other = written_out(e)) {
+        return place_of(*other);
+    }
+    std::vector<std::size_t> in;
+    for (const Expr& x : e.args()) {
+        in.push_back(place_of(x));
+    }
+    const bool times = e.kind() == StepKind::mul;
+    const bool over = e.kind() == StepKind::div && !is_zero(in[1]);
+    if (is_zero(in[0]) && (times || over || e.kind() == StepKind::neg)) {
+        return in[0];
+    }
+    return times && is_zero(in[1]) ? in[1] : add(Role::operation, e.kind(), e, std::move(in));
+}
+
 void Integrand::take(std::size_t slot) {
-    const Step& step = program_.parts()[slot];
+    const Step& step = steps_[slot];
     switch (step.kind) {
     case StepKind::neg: {
         const ValuedBox& x = part(step, 0);

@@ -3,7 +3,6 @@
 #include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/margin.hpp"
-#include "edgeproof/audit/checks/parts/sweep.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/algebra/polynomial.hpp"
 
+#include "edgeproof/precision/ball/arb_values.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
 #include <array>
-#include <flint/fmpz.h>
 #include <flint/fmpz_mpoly_factor.h>
 #include <flint/fmpz_vec.h>
 #include <flint/ulong_extras.h>
@@ -35,23 +35,17 @@ const fmpz_mpoly_ctx_struct* context(std::size_t variables) {
     return &all.of.at(variables);
 }
 
-class Number {
-public:
-    Number() { fmpz_init(n_); }
-    explicit Number(const Integer& n) : Number() { fmpz_set_mpz(n_, n.backend().data()); }
-    Number(const Number&) = delete;
-    Number& operator=(const Number&) = delete;
-    ~Number() { fmpz_clear(n_); }
-    fmpz* data() { return n_; }
-    [[nodiscard]] Integer value() const {
-        Integer n;
-        fmpz_get_mpz(n.backend().data(), n_);
-        return n;
-    }
+FmpzValue number(const Integer& n) {
+    FmpzValue x;
+    fmpz_set_mpz(x, n.backend().data());
+    return x;
+}
 
-private:
-    fmpz_t n_;
-};
+Integer integer(const FmpzValue& x) {
+    Integer n;
+    fmpz_get_mpz(n.backend().data(), x);
+    return n;
+}
 
 double bits_of(const fmpz_mpoly_t p, std::size_t n) {
     return 64 + std::abs(static_cast<double>(fmpz_mpoly_max_bits(p))) + static_cast<double>(n);
@@ -61,7 +55,7 @@ double bits_of(const fmpz_mpoly_t p, std::size_t n) {
 
 Polynomial::Polynomial(std::size_t variables, const Integer& constant) : variables_(variables) {
     fmpz_mpoly_init(data_, context(variables));
-    fmpz_mpoly_set_fmpz(data_, Number(constant).data(), context(variables));
+    fmpz_mpoly_set_fmpz(data_, number(constant), context(variables));
 }
 
 Polynomial Polynomial::variable(std::size_t variables, std::size_t i) {
@@ -98,9 +92,9 @@ Integer Polynomial::leading() const {
     if (is_zero()) {
         return 0;
     }
-    Number c;
-    fmpz_mpoly_get_term_coeff_fmpz(c.data(), data_, 0, context(variables_));
-    return c.value();
+    FmpzValue c;
+    fmpz_mpoly_get_term_coeff_fmpz(c, data_, 0, context(variables_));
+    return integer(c);
 }
 
 ulong Polynomial::degree(std::size_t variable) const {
@@ -119,26 +113,25 @@ ulong Polynomial::least_exponent(std::size_t variable) const {
 }
 
 Integer Polynomial::content() const {
-    Number c;
-    _fmpz_vec_content(c.data(), data_->coeffs, static_cast<slong>(size()));
-    return c.value();
+    FmpzValue c;
+    _fmpz_vec_content(c, data_->coeffs, static_cast<slong>(size()));
+    return integer(c);
 }
 
 void Polynomial::for_each_term(
     const std::function<void(const Integer&, const Exponents&)>& take) const {
     Exponents exponents(std::max<std::size_t>(variables_, 1));
-    Number c;
+    FmpzValue c;
     for (std::size_t i = 0; i < size(); ++i) {
-        fmpz_mpoly_get_term_coeff_fmpz(c.data(), data_, static_cast<slong>(i), context(variables_));
+        fmpz_mpoly_get_term_coeff_fmpz(c, data_, static_cast<slong>(i), context(variables_));
         fmpz_mpoly_get_term_exp_ui(exponents.data(), data_, static_cast<slong>(i),
                                    context(variables_));
-        take(c.value(), exponents);
+        take(integer(c), exponents);
     }
 }
 
 void Polynomial::push(const Integer& coefficient, const Exponents& exponents) {
-    fmpz_mpoly_push_term_fmpz_ui(data_, Number(coefficient).data(), exponents.data(),
-                                 context(variables_));
+    fmpz_mpoly_push_term_fmpz_ui(data_, number(coefficient), exponents.data(), context(variables_));
 }
 
 void Polynomial::sort() {
@@ -203,9 +196,9 @@ Polynomial::Factors Polynomial::factors() const {
         throw Error("a polynomial was not factored");
     }
     fmpz_mpoly_factor_sort(found.all, in);
-    Number c;
-    fmpz_mpoly_factor_get_constant_fmpz(c.data(), found.all, in);
-    Factors result{c.value(), {}};
+    FmpzValue c;
+    fmpz_mpoly_factor_get_constant_fmpz(c, found.all, in);
+    Factors result{integer(c), {}};
     for (slong i = 0; i < fmpz_mpoly_factor_length(found.all, in); ++i) {
         Polynomial p(variables_);
         fmpz_mpoly_factor_get_base(p.data_, found.all, i, in);

@@ -106,8 +106,9 @@ std::pair<Ball, Ball> sides_of(const Relation& r, const EnclosedSample& sample) 
     return {lhs, sample.evaluate(r.rhs)};
 }
 
-Decision decide(const Relation& r, const EnclosedSample& sample, double digits,
-                SidesThatAgree agreeing) {
+namespace {
+
+Decision decide_one(const Relation& r, const EnclosedSample& sample, double digits, bool agreeing) {
     using Op = Relation::Op;
     const auto [lhs, rhs] = sides_of(r, sample);
     if (r.op == Op::equal) {
@@ -119,18 +120,19 @@ Decision decide(const Relation& r, const EnclosedSample& sample, double digits,
     const bool or_equal = allows_equality(r);
     const Decision ordered = decision(Refutation::less(greater, lesser, !or_equal),
                                       Confirmation::less(lesser, greater, or_equal));
-    if (agreeing == SidesThatAgree::undecided || !or_equal || !is_open(ordered)) {
-        return ordered;
-    }
-    return decision(std::nullopt, equal(r, lhs, rhs, sample, digits));
+    return agreeing && or_equal && is_open(ordered)
+               ? decision(std::nullopt, equal(r, lhs, rhs, sample, digits))
+               : ordered;
 }
 
+} // namespace
+
 Decision decide(const Condition& condition, const EnclosedSample& sample, double digits,
-                SidesThatAgree agreeing) {
+                bool agreeing) {
     Decision all;
     bool open = false;
     for (const Relation& r : condition) {
-        const Decision one = decide(r, sample, digits, agreeing);
+        const Decision one = decide_one(r, sample, digits, agreeing);
         if (refutes(one)) {
             return one;
         }
@@ -142,7 +144,7 @@ Decision decide(const Condition& condition, const EnclosedSample& sample, double
 
 Decision decide(const Condition& condition, SampleInBalls& sample, double digits) {
     return decide_by(condition, sample,
-                     [&](const EnclosedSample& at, SidesThatAgree agreeing, Decision& found) {
+                     [&](const EnclosedSample& at, bool agreeing, Decision& found) {
                          found = decide(condition, at, digits, agreeing);
                          return !is_open(found);
                      });

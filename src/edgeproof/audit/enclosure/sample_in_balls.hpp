@@ -73,34 +73,26 @@ private:
 /// Whether the relation is =, <= or >=.
 [[nodiscard]] bool allows_equality(const Relation& relation);
 
-/// The decision of <= and >= if the enclosures of the two sides overlap. More bits may separate
-/// them, so that equality is considered only after these were tried.
-enum class SidesThatAgree {
-    undecided, ///< the relation is not decided
-    equal      ///< the relation holds if the sides agree to the digits required
-};
-
 /// The enclosures of both sides; exactly 0 if they are the same formula with a value here. Then
 /// enclosures decide relations whose sides are equal in symbols, too.
 [[nodiscard]] std::pair<Ball, Ball> sides_of(const Relation& relation,
                                              const EnclosedSample& sample);
 
-/// Whether a relation holds, by the enclosures of both sides. Sides that are equal to `digits`
-/// digits, relative to the sizes of their terms, satisfy =.
-[[nodiscard]] Decision decide(const Relation& relation, const EnclosedSample& sample, double digits,
-                              SidesThatAgree agreeing);
-/// The same for all relations of a condition: one that fails decides.
+/// Whether all relations of a condition hold, by the enclosures of both sides: one that fails
+/// decides. Sides that are equal to `digits` digits, relative to the sizes of their terms, satisfy
+/// =, and with `agreeing` also <= and >= if their enclosures overlap. More bits may separate them,
+/// so that this is considered only after these were tried.
 [[nodiscard]] Decision decide(const Condition& condition, const EnclosedSample& sample,
-                              double digits, SidesThatAgree agreeing);
-/// Returns what look(EnclosedSample&, SidesThatAgree, Decision&) finds for a condition with as many
+                              double digits, bool agreeing);
+/// Returns what look(EnclosedSample&, agreeing, Decision&) finds for a condition with as many
 /// bits as it needs to return true. Sides that agree count as equal if nothing else decides.
 template <class Look>
 [[nodiscard]] Decision decide_by(const Condition& condition, SampleInBalls& sample,
                                  const Look& look) {
     Decision found;
     const bool equality = std::ranges::any_of(condition, allows_equality);
-    for (const auto agreeing : {SidesThatAgree::undecided, SidesThatAgree::equal}) {
-        if (is_open(found) && (equality || agreeing == SidesThatAgree::undecided)) {
+    for (const bool agreeing : {false, true}) {
+        if (is_open(found) && (equality || !agreeing)) {
             static_cast<void>(
                 sample.until([&](EnclosedSample& at) { return look(at, agreeing, found); }));
         }

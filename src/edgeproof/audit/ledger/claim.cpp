@@ -147,6 +147,20 @@ Expr expand_definitions(const Expr& e, const Vocabulary& vocabulary) {
     return result;
 }
 
+Field::List Field::texts() const {
+    List all;
+    if (const auto* one = std::get_if<std::string>(&value)) {
+        all = {*one};
+    } else if (const auto* list = std::get_if<List>(&value)) {
+        all = *list;
+    } else {
+        for (const auto& [name, of_name] : std::get<Table>(value)) {
+            all.insert(all.end(), of_name.begin(), of_name.end());
+        }
+    }
+    return all;
+}
+
 const Field* Claim::find(std::string_view key) const {
     const auto it = fields.find(key);
     return it == fields.end() ? nullptr : &it->second;

@@ -29,6 +29,8 @@ struct Field {
     using Table = std::vector<std::pair<std::string, List>>;
     std::variant<std::string, List, Table> value;
     std::size_t line = 0;
+    /// All texts, without the names of a table.
+    [[nodiscard]] List texts() const;
 };
 using Fields = std::map<std::string, Field, std::less<>>;
 

@@ -208,15 +208,7 @@ std::set<std::string> names_used(const Claim& claim) {
         if (key == "remark" || key == "over") {
             continue;
         }
-        if (const auto* text = std::get_if<std::string>(&field.value)) {
-            collect_words(*text, names);
-        } else if (const auto* list = std::get_if<Field::List>(&field.value)) {
-            std::ranges::for_each(*list, [&](const auto& item) { collect_words(item, names); });
-        } else {
-            for (const auto& [name, texts] : std::get<Field::Table>(field.value)) {
-                std::ranges::for_each(texts, [&](const auto& item) { collect_words(item, names); });
-            }
-        }
+        std::ranges::for_each(field.texts(), [&](const auto& text) { collect_words(text, names); });
     }
     for (std::size_t before = 0; before != names.size();) {
         before = names.size();

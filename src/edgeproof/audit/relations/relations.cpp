@@ -133,12 +133,9 @@ private:
     std::vector<std::vector<ulong>> values_;
 };
 
-/// A vector of the null space of a matrix: 1 at a column without a pivot, and entries at columns
-/// before it.
-struct NullVector {
-    std::size_t leading;
-    std::vector<std::pair<std::size_t, ulong>> others;
-};
+/// A vector of the null space of a matrix: the entries that are not 0, with their columns. The last
+/// is 1, at a column without a pivot.
+using NullVector = std::vector<std::pair<std::size_t, ulong>>;
 
 /// A matrix modulo the prime.
 class Matrix {
@@ -153,18 +150,14 @@ public:
     [[nodiscard]] std::size_t rank() { return static_cast<std::size_t>(nmod_mat_rank(m_)); }
     /// Returns one vector for each column that depends on the columns before it.
     [[nodiscard]] std::vector<NullVector> null_space() {
-        const auto rank = static_cast<std::size_t>(nmod_mat_rref(m_));
-        std::vector<std::size_t> pivots;
-        std::vector<NullVector> found;
-        for (std::size_t c = 0; c < static_cast<std::size_t>(nmod_mat_ncols(m_)); ++c) {
-            if (pivots.size() < rank && at(pivots.size(), c) != 0) {
-                pivots.push_back(c);
-                continue;
-            }
-            found.push_back({c, {}});
-            for (std::size_t i = 0; i < pivots.size(); ++i) {
-                if (at(i, c) != 0) {
-                    found.back().others.emplace_back(pivots[i], prime - at(i, c));
+        const auto columns = static_cast<std::size_t>(nmod_mat_ncols(m_));
+        Matrix basis(columns, columns);
+        const slong count = nmod_mat_nullspace(basis.m_, m_);
+        std::vector<NullVector> found(static_cast<std::size_t>(count));
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            for (std::size_t i = 0; i < columns; ++i) {
+                if (basis.at(i, k) != 0) {
+                    found[k].emplace_back(i, basis.at(i, k));
                 }
             }
         }
@@ -189,8 +182,8 @@ std::optional<Rational> fraction(ulong x) {
 
 std::optional<PolynomialRelation> over_integers(const NullVector& v,
                                                 const std::vector<Exponents>& monomials) {
-    std::vector<std::pair<Rational, Exponents>> terms{{Rational(1), monomials[v.leading]}};
-    for (auto it = v.others.rbegin(); it != v.others.rend(); ++it) {
+    std::vector<std::pair<Rational, Exponents>> terms;
+    for (auto it = v.rbegin(); it != v.rend(); ++it) {
         const auto q = fraction(it->second);
         if (!q) {
             return {};
@@ -269,7 +262,7 @@ FoundRelations find_relations(const std::vector<RelatedQuantity>& quantities, un
     struct Candidate {
         NullVector vector;
         const std::vector<Exponents>* monomials;
-        [[nodiscard]] const Exponents& leading() const { return (*monomials)[vector.leading]; }
+        [[nodiscard]] const Exponents& leading() const { return (*monomials)[vector.back().first]; }
     };
     std::vector<Candidate> candidates;
     for (const auto& [weight, monomials] : grades) {

@@ -84,7 +84,7 @@ public:
         if (!moves_to(fraction)) {
             return std::nullopt;
         }
-        const auto look = [&](EnclosedSample& at, SidesThatAgree agreeing, Decision& found) {
+        const auto look = [&](EnclosedSample& at, bool agreeing, Decision& found) {
             found = decide(condition_, at, needed(), agreeing);
             if (refutes(found) && !printed_.decimals.empty()) {
                 Decimals intervals;
@@ -118,7 +118,7 @@ private:
         }
         Decision there;
         return !where_ || (in_balls_.until([&](const EnclosedSample& at) {
-            there = decide(*where_, at, needed(), SidesThatAgree::undecided);
+            there = decide(*where_, at, needed(), false);
             return !is_open(there);
         }) && confirms(there));
     }

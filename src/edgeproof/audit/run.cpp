@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/run.hpp"
-#include "edgeproof/audit/agreement/samples.hpp"
+#include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"

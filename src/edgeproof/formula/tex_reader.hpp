@@ -12,8 +12,7 @@
 #include <string_view>
 #include <vector>
 
-/// The reader of plain_from_tex(). The grammar is in read_tex.cpp, functions and integrals are in
-/// tex_functions.cpp, names in tex_names.cpp.
+/// The reader of plain_from_tex(). The grammar is in read_tex.cpp, names are in tex_names.cpp.
 namespace edgeproof::formula {
 
 inline constexpr std::size_t longest_tex = 20'000;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace edgeproof::audit {
 namespace {
@@ -19,6 +20,7 @@ constexpr std::size_t enclosed_integrals = 8; // samples with all digits for for
 constexpr unsigned screening_digits = 12;     // at the other samples
 constexpr unsigned spare_digits = 2;          // added to the aim of integrals
 constexpr double every_digit = 1e6;           // for numbers that are exactly equal
+constexpr unsigned condition_digits = 15;     // for `where`
 
 /// A printed formula and the exact one, at any sample.
 class PairAtSamples {
@@ -113,6 +115,54 @@ std::pair<std::vector<std::size_t>, std::size_t> order_of(std::size_t samples, b
 }
 
 } // namespace
+
+bool is_admitted(const Claim& claim, const Sample& sample) {
+    if (!claim.has("where")) {
+        return true;
+    }
+    SampleInBalls in_balls(sample, condition_digits);
+    return confirms(decide(claim.condition("where"), in_balls, condition_digits));
+}
+
+ClaimSamples::ClaimSamples(const Claim& claim, const AuditContext& context) {
+    for (Sample& sample : context.samples(claim)) {
+        // A sample on the boundary of the condition does not decide and is left out.
+        if (is_admitted(claim, sample)) {
+            samples_.push_back(std::move(sample));
+        } else {
+            ++left_out_;
+        }
+    }
+}
+
+std::size_t ClaimSamples::scenes() const {
+    std::set<std::string> texts;
+    for (const Sample& sample : samples_) {
+        texts.insert(full_text(sample.scene));
+    }
+    return texts.size();
+}
+
+const EnclosedSample& ClaimSamples::enclosed(std::size_t sample, long bits,
+                                             unsigned integral_digits) const {
+    const std::tuple key(sample, bits, integral_digits);
+    const auto it = enclosed_.find(key);
+    return it != enclosed_.end()
+               ? it->second
+               : enclosed_.emplace(key, EnclosedSample(samples_[sample], bits, integral_digits))
+                     .first->second;
+}
+
+std::string digits_text(double digits) {
+    if (digits >= every_digit) {
+        return "all";
+    }
+    return digits <= -every_digit ? "none" : fmt::format("{:.1f}", digits);
+}
+
+std::string value_text(const Real& value, unsigned digits) {
+    return value.str(static_cast<std::streamsize>(digits), std::ios_base::scientific);
+}
 
 std::optional<Confirmation> Pair::agreement(double digits) const {
     return printed ? Confirmation::agreement(*printed, *exact, *scale, digits) : std::nullopt;

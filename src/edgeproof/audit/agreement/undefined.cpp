@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/audit/agreement/samples.hpp"
+#include "edgeproof/audit/agreement/enclosures.hpp"
 
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/agreement/enclosures.hpp"
-#include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/decimal_fit.hpp"
 #include "edgeproof/audit/diagnosis/diagnosis.hpp"
@@ -230,14 +229,9 @@ private:
         try {
             std::vector<DecimalEquation> equations;
             for (const std::size_t i : order) {
-                const auto sample =
-                    std::make_shared<EnclosedSample>(samples_.all()[i], bits, digits + 15);
-                const Ball exact = sample->evaluate(exact_);
-                equations.push_back(equation_at(sample, printed_.named, exact,
-                                                scale_ ? abs(sample->evaluate(*scale_))
-                                                : contains_zero(exact)
-                                                    ? scale_of_terms(printed_.as_printed, *sample)
-                                                    : abs(exact)));
+                equations.push_back(equation_at(samples_.all()[i], bits, digits + 15,
+                                                printed_.named, exact_, scale_,
+                                                printed_.as_printed));
             }
             return judge_decimals(printed_, equations, digits, bits, outcome);
         } catch (const Error& error) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/agreement/enclosures.hpp"
-#include "edgeproof/audit/agreement/samples.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/checks/parts/decimal_fit.hpp"
 #include "edgeproof/audit/checks/parts/residual_fit.hpp"
@@ -211,11 +210,8 @@ Judgement judge_with_decimals(const PrintedFormula& printed, const Expr& exact,
     std::vector<DecimalEquation> equations;
     for (const auto& term : compare_expansions(printed.named, exact, in, under).terms) {
         for (const Sample& sample : samples) {
-            const auto at = std::make_shared<EnclosedSample>(sample, bits);
-            const Ball target = at->evaluate(term.derived);
-            equations.push_back(equation_at(
-                at, term.printed, target,
-                contains_zero(target) ? scale_of_terms(term.derived, *at) : abs(target)));
+            equations.push_back(
+                equation_at(sample, bits, 20, term.printed, term.derived, {}, term.derived));
         }
     }
     return judge_decimals(printed, equations, fitted, bits, outcome);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/algebra/identity.hpp"
-#include "edgeproof/audit/agreement/samples.hpp"
+#include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/audit/ledger/printed_formula.hpp"

@@ -25,41 +25,33 @@ class EnclosedIntegral {
 public:
     EnclosedIntegral(const Expr& node, const IntegralSurroundings& around, unsigned digits)
         : f_(node.arg(0)), variable_(node.arg(1).name()), around_(around), digits_(digits),
-          lo_(resolved(node.arg(2))), hi_(resolved(node.arg(3))) {
+          lowest_(end_at(resolved(node.arg(2)))), highest_(end_at(resolved(node.arg(3)))),
+          downwards_(certainly_less(highest_.at, lowest_.at)) {
+        if (downwards_) {
+            std::swap(lowest_, highest_);
+        }
         if (node.kind() == Expr::Kind::pv) {
             pole_ = node.arg(4);
         }
     }
 
     [[nodiscard]] Ball value() {
-        PieceEnd lo{lo_, number(lo_)};
-        PieceEnd hi{hi_, number(hi_)};
-        if (certainly_less(hi.at, lo.at)) {
-            std::swap(lo, hi);
-            return -real_part(between(lo, hi));
-        }
-        if (surely_zero(hi_ - lo_, around_.law)) {
+        if (!downwards_ && surely_zero(highest_.written - lowest_.written, around_.law)) {
             return Ball(0, around_.bits);
         }
-        if (!certainly_less(lo.at, hi.at)) {
+        if (!certainly_less(lowest_.at, highest_.at)) {
             throw BudgetError("the ends of an integral that are not distinguished");
         }
-        return real_part(between(lo, hi));
+        const Ball value = real_part(whole());
+        return downwards_ ? -value : value;
     }
 
     [[nodiscard]] bool diverges() {
-        PieceEnd lo{lo_, number(lo_)};
-        PieceEnd hi{hi_, number(hi_)};
-        if (certainly_less(hi.at, lo.at)) {
-            std::swap(lo, hi);
-        }
-        if (pole_ || !certainly_less(lo.at, hi.at)) {
+        if (pole_ || !certainly_less(lowest_.at, highest_.at)) {
             return false;
         }
-        lowest_ = lo;
-        highest_ = hi;
         const std::vector<PieceEnd> ends = ends_of_pieces();
-        return diverges_at(lo, ends[1], 1) || diverges_at(hi, ends[ends.size() - 2], -1);
+        return diverges_at(lowest_, ends[1], 1) || diverges_at(highest_, ends[ends.size() - 2], -1);
     }
 
 private:
@@ -102,6 +94,8 @@ private:
         return value;
     }
 
+    [[nodiscard]] PieceEnd end_at(const Expr& written) { return {written, number(written)}; }
+
     [[nodiscard]] const ContactFormulas& contact(const Expr& call) const {
         if (around_.contact == nullptr) {
             throw Error("'" + call.name() + "' has no enclosure inside an integral");
@@ -109,15 +103,13 @@ private:
         return *around_.contact;
     }
 
-    [[nodiscard]] Box between(const PieceEnd& lo, const PieceEnd& hi) {
-        lowest_ = lo;
-        highest_ = hi;
-        if (pole_ &&
-            (certainly_less(number(*pole_), lo.at) || certainly_less(hi.at, number(*pole_)))) {
+    [[nodiscard]] Box whole() {
+        if (pole_ && (certainly_less(number(*pole_), lowest_.at) ||
+                      certainly_less(highest_.at, number(*pole_)))) {
             pole_.reset(); // an ordinary integral
         }
-        if (pole_ &&
-            !(certainly_less(lo.at, number(*pole_)) && certainly_less(number(*pole_), hi.at))) {
+        if (pole_ && !(certainly_less(lowest_.at, number(*pole_)) &&
+                       certainly_less(number(*pole_), highest_.at))) {
             throw BudgetError("a pole that is not shown to be inside the interval");
         }
         if (around_.contact != nullptr && holds_pressure(f_, variable_)) {
@@ -406,11 +398,10 @@ private:
     const IntegralSurroundings& around_;
     unsigned digits_;
     std::unordered_map<Expr, Ball, formula::ExprHash> numbers_;
-    Expr lo_;
-    Expr hi_;
     std::optional<Expr> pole_;
     PieceEnd lowest_;
     PieceEnd highest_;
+    bool downwards_; ///< the upper limit is less than the lower one
 };
 
 } // namespace

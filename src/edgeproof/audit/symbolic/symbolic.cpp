@@ -68,7 +68,7 @@ public:
         std::vector<Form> b;
         for (unsigned k = 0; k < n; ++k) {
             rate.push_back(derivative("P", k + 1, k));
-            b.push_back(k == 0 ? symbol("b") : derivative("b", k, k));
+            b.push_back(derivative("b", k, k));
         }
         const contact::LawSeries<Form> law{series::Series<Form>(std::move(rate)),
                                            series::Series<Form>(std::move(b))};
@@ -79,9 +79,9 @@ public:
         c.resize(count, Form(0));
         return contact::coefficients_of(std::move(c), Form(a + symbol("b")), pi());
     }
-    /// Returns the derivative of P or b of order k, divided by factorial!.
+    /// Returns the derivative of P or b of order k (0: itself), divided by factorial!.
     [[nodiscard]] Form derivative(const char* letter, unsigned k, unsigned factorial) const {
-        Form c = symbol(letter + std::to_string(k));
+        Form c = symbol(k == 0 ? letter : letter + std::to_string(k));
         for (unsigned j = 2; j <= factorial; ++j) {
             c /= static_cast<int>(j);
         }
@@ -95,17 +95,16 @@ private:
         if (name == "L") {
             return symbol("a") + symbol("b");
         }
-        if (name.starts_with("right_c") || name.starts_with("left_c")) {
+        const bool of_pressure = name.starts_with("right_c") || name.starts_with("left_c");
+        if (of_pressure ||
+            (under_.full_stick && (name.starts_with("right_s") || name.starts_with("left_s")))) {
             const Edge edge = name.front() == 'r' ? Edge::right : Edge::left;
             const auto count = static_cast<std::size_t>(name.back() - '0') + 1;
-            return coefficients(edge, count).back();
-        }
-        if (under_.full_stick && (name.starts_with("right_s") || name.starts_with("left_s"))) {
-            const Edge edge = name.front() == 'r' ? Edge::right : Edge::left;
-            const auto count = static_cast<std::size_t>(name.back() - '0') + 1;
-            return contact::full_stick_expansion<Form>(symbol("L"), {symbol("Q"), symbol("sig0")},
-                                                       edge, count)
-                .back();
+            const std::vector<Form> c =
+                of_pressure ? coefficients(edge, count)
+                            : contact::full_stick_expansion<Form>(
+                                  symbol("L"), {symbol("Q"), symbol("sig0")}, edge, count);
+            return c.back();
         }
         if (const auto given = under_.names.find(name); given != under_.names.end()) {
             return from(given->second);
@@ -170,18 +169,18 @@ public:
                           [&](unsigned k) { return field_.derivative("P", k + 1, k); });
         }
         if (name == "Pof") {
-            return taylor(s - constant("a"), [&](unsigned k) {
-                return k == 0 ? field_.symbol("P") : field_.derivative("P", k, k);
-            });
+            return taylor(s - constant("a"),
+                          [&](unsigned k) { return field_.derivative("P", k, k); });
         }
         if (name == "bof") {
-            return taylor(s - constant("a"), [&](unsigned k) { return b_coefficient(k); });
+            return taylor(s - constant("a"),
+                          [&](unsigned k) { return field_.derivative("b", k, k); });
         }
         if (name == "binv") {
             const L y = s - constant("b");
             std::vector<Form> b;
             for (unsigned k = 0; k < terms_in(y); ++k) {
-                b.push_back(k == 0 ? Form(0) : b_coefficient(k));
+                b.push_back(k == 0 ? Form(0) : field_.derivative("b", k, k));
             }
             const series::Series<Form> inverse = revert(series::Series<Form>(std::move(b)));
             return taylor(y, [&](unsigned k) { return k == 0 ? field_.symbol("a") : inverse[k]; });
@@ -216,9 +215,6 @@ private:
     /// The number of Taylor coefficients with names: P1 ... P9.
     static constexpr unsigned terms = 8;
 
-    [[nodiscard]] Form b_coefficient(unsigned k) const {
-        return k == 0 ? field_.symbol("b") : field_.derivative("b", k, k);
-    }
     [[nodiscard]] L constant(std::string_view name) const { return L(field_.symbol(name), order_); }
     /// A term that marks all powers from w^end on as unknown.
     [[nodiscard]] static L unknown_from(long end) {

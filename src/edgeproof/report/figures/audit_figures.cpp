@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/figures/audit_figures.hpp"
 
-#include "edgeproof/audit/agreement/samples.hpp"
+#include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/checks/parts/residual_fit.hpp"
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/io/output_file.hpp"

@@ -2,13 +2,14 @@
 #include "edgeproof/audit/checks/parts/decimal_fit.hpp"
 
 #include "edgeproof/audit/diagnosis/diagnosis.hpp"
-#include "edgeproof/audit/sample/audit_context.hpp"
+#include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>
+#include <memory>
 
 namespace edgeproof::audit {
 namespace {
@@ -121,15 +122,11 @@ private:
     [[nodiscard]] std::optional<Row> search(const std::optional<Rational>& units,
                                             const std::vector<std::optional<Real>>& fixed) const {
         const std::size_t n = decimals_.size();
-        Row y(n, Real(0));
-        std::vector<std::size_t> free;
-        for (std::size_t k = 0; k < n; ++k) {
-            if (fixed[k]) {
-                y[k] = *fixed[k];
-            } else {
-                free.push_back(k);
-            }
+        Row y;
+        for (const auto& end : fixed) {
+            y.push_back(end.value_or(Real(0)));
         }
+        const auto free = std::ranges::count(fixed, false, &std::optional<Real>::has_value);
         const auto numbers = [&](const Row& at) {
             Row c;
             for (std::size_t k = 0; k < n; ++k) {
@@ -147,19 +144,22 @@ private:
         const Real most = units ? from_rational<Real>(*units) : Real(0);
         for (int i = 0; i < most_iterations && norm_squared(*r) > enough; ++i) {
             check_interruption();
-            if (free.empty()) {
+            if (free == 0) {
                 return std::nullopt;
             }
-            std::vector<Row> J(r->size(), Row(free.size(), Real(0)));
-            for (std::size_t f = 0; f < free.size(); ++f) {
+            std::vector<Row> J(r->size(), Row(n, Real(0))); // decimals that stay have no effect
+            for (std::size_t k = 0; k < n; ++k) {
+                if (fixed[k]) {
+                    continue;
+                }
                 Row moved = y;
-                moved[free[f]] += step;
+                moved[k] += step;
                 const auto there = residuals(numbers(moved));
                 if (!there) {
                     return std::nullopt;
                 }
                 for (std::size_t j = 0; j < r->size(); ++j) {
-                    J[j][f] = ((*there)[j] - (*r)[j]) / step;
+                    J[j][k] = ((*there)[j] - (*r)[j]) / step;
                 }
             }
             // The damping is |r|^2 times the mean of the diagonal of J^T J.
@@ -167,13 +167,13 @@ private:
             for (const Row& row : J) {
                 diagonal += norm_squared(row);
             }
-            const Real damping = diagonal * norm_squared(*r) / static_cast<unsigned>(free.size());
+            const Real damping = diagonal * norm_squared(*r) / static_cast<unsigned>(free);
             const auto d = least_squares(J, *r, damping, Real(0));
-            for (std::size_t f = 0; f < free.size(); ++f) {
-                if (!d[f] || !isfinite(*d[f])) {
+            for (std::size_t k = 0; k < n; ++k) {
+                if (!d[k] || !isfinite(*d[k])) {
                     return std::nullopt;
                 }
-                y[free[f]] -= *d[f];
+                y[k] -= *d[k];
             }
             r = residuals(numbers(y));
             if (!r) {
@@ -188,7 +188,7 @@ private:
             // free.
             std::vector<std::optional<Real>> held = fixed;
             bool beyond = false;
-            for (const std::size_t k : free) {
+            for (std::size_t k = 0; k < n; ++k) {
                 if (abs(y[k]) > most) {
                     held[k] = y[k] > 0 ? most : Real(-most);
                     beyond = true;
@@ -305,13 +305,19 @@ void set_decimals(EnclosedSample& sample, const Decimals& numbers) {
     }
 }
 
-DecimalEquation equation_at(const std::shared_ptr<EnclosedSample>& sample, const Expr& printed,
-                            Ball exact, Ball scale) {
-    return {[sample, printed](const Decimals& numbers) {
-                set_decimals(*sample, numbers);
-                return sample->evaluate(printed);
+DecimalEquation equation_at(const Sample& sample, long bits, unsigned integral_digits,
+                            const Expr& printed, const Expr& exact,
+                            const std::optional<Expr>& scale, const Expr& terms) {
+    const auto at = std::make_shared<EnclosedSample>(sample, bits, integral_digits);
+    Ball value = at->evaluate(exact);
+    Ball size = scale                  ? abs(at->evaluate(*scale))
+                : contains_zero(value) ? scale_of_terms(terms, *at)
+                                       : abs(value);
+    return {[at, printed](const Decimals& numbers) {
+                set_decimals(*at, numbers);
+                return at->evaluate(printed);
             },
-            std::move(exact), std::move(scale)};
+            std::move(value), std::move(size)};
 }
 
 Judgement judge_decimals(const PrintedFormula& printed,

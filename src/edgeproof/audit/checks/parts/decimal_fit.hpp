@@ -5,7 +5,7 @@
 #include "edgeproof/audit/ledger/printed_formula.hpp"
 
 #include <functional>
-#include <memory>
+#include <optional>
 #include <vector>
 
 namespace edgeproof::audit {
@@ -24,9 +24,12 @@ struct DecimalEquation {
     Ball exact;
     Ball scale; ///< positive; differences are compared with it
 };
-/// Returns the equation of a formula with names for its decimals at a sample.
-[[nodiscard]] DecimalEquation equation_at(const std::shared_ptr<EnclosedSample>& sample,
-                                          const Expr& printed, Ball exact, Ball scale);
+/// Returns the equation of a formula with names for its decimals and an exact one at a sample. The
+/// scale is that of `scale`; without it the exact value, or the sum of the sizes of the terms of
+/// `terms` where it may be zero. `integral_digits`: as in EnclosedSample.
+[[nodiscard]] DecimalEquation equation_at(const Sample& sample, long bits, unsigned integral_digits,
+                                          const Expr& printed, const Expr& exact,
+                                          const std::optional<Expr>& scale, const Expr& terms);
 
 /// Judges a formula with decimals, to `digits` digits: confirmed if numbers that round to all of
 /// them are proved to satisfy all equations to D - 5 digits; refuted if it is proved that no such

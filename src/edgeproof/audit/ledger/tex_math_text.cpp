@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/ledger/printed_source.hpp"
-#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/message.hpp"
 
 #include <algorithm>
@@ -18,13 +17,11 @@ constexpr const char* write_mathematics =
     "write commands of LaTeX and amsmath for formulas and text, or define the macro in "
     "[print.macros]";
 
-using CommandNames = std::set<std::string, std::less<>>;
-
 /// Commands of LaTeX and amsmath (from their manuals) for a formula or a line of text. None of them
 /// reads or writes a file, defines anything, or changes how TeX reads.
 constexpr const char* command_names =
     // Greek and Hebrew letters
-    "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa varkappa lambda "
+    " alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa varkappa lambda "
     "mu nu xi omicron pi varpi rho varrho sigma varsigma tau upsilon phi varphi chi psi omega "
     "digamma Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega varGamma varDelta varTheta "
     "varLambda varXi varPi varSigma varUpsilon varPhi varPsi varOmega aleph beth gimel daleth "
@@ -75,24 +72,15 @@ constexpr const char* command_names =
     "aa AA ae AE oe OE o O l L ss i j c v u H k r t b d ";
 
 constexpr const char* environment_names =
-    "equation equation* align align* alignat alignat* aligned alignedat gather gather* gathered "
+    " equation equation* align align* alignat alignat* aligned alignedat gather gather* gathered "
     "multline multline* flalign flalign* split cases array matrix pmatrix bmatrix Bmatrix vmatrix "
     "Vmatrix smallmatrix eqnarray eqnarray* math displaymath subequations subarray itemize "
-    "enumerate";
+    "enumerate ";
 
-CommandNames names_in(const char* list) {
-    const std::vector<std::string_view> names = io::split_words(list);
-    return {names.begin(), names.end()};
-}
-
-bool is_math_command(std::string_view name) {
-    static const CommandNames names = names_in(command_names);
-    return names.contains(name);
-}
-
-bool is_math_environment(std::string_view name) {
-    static const CommandNames names = names_in(environment_names);
-    return names.contains(name);
+/// True for one of the words of a list that begins and ends with a blank.
+bool is_word_of(std::string_view list, std::string_view name) {
+    return name.find(' ') == std::string_view::npos &&
+           list.find(" " + std::string(name) + " ") != std::string_view::npos;
 }
 
 bool is_math_sign(char sign) {
@@ -173,7 +161,7 @@ private:
         if (macros_.contains(name)) {
             return {};
         }
-        if (!is_math_command(name)) {
+        if (!is_word_of(command_names, name)) {
             return TexFault{"it contains \\" + shown_tex(name) +
                                 ", which is not a command of mathematics",
                             write_mathematics};
@@ -187,7 +175,7 @@ private:
             return unbalanced(begins ? "\\begin" : "\\end");
         }
         const std::string name(tex_.substr(at_ + 1, close - at_ - 1));
-        if (!is_math_environment(name)) {
+        if (!is_word_of(environment_names, name)) {
             return TexFault{"it contains the environment '" + shown_tex(name) +
                                 "', which is not an environment for formulas",
                             "write equation, align, cases, array or another one of amsmath"};

@@ -15,14 +15,8 @@
 namespace edgeproof::audit {
 namespace {
 
-/// The claim, or its last refuted reading (the most favourable to the source).
-struct RefutedReading {
-    const Claim* claim = nullptr;
-    const Outcome* outcome = nullptr;
-};
-
 /// The printed and the correct formula, or those of the first wrong coefficient of an expansion.
-std::optional<WrongCoefficient> formulas_of(const RefutedReading& refuted) {
+std::optional<WrongCoefficient> formulas_of(const SpokenOf& refuted) {
     if (refuted.outcome->wrong_coefficient) {
         return refuted.outcome->wrong_coefficient;
     }
@@ -167,17 +161,7 @@ double effort_to_read(const std::string& exact) {
     return effort;
 }
 
-RefutedReading kindest_refuted(const ClaimResult& result) {
-    RefutedReading kindest{&result.claim, &result.outcome};
-    for (std::size_t i = 0; i < result.readings.size(); ++i) {
-        if (result.readings[i].second.verdict == Verdict::refuted) {
-            kindest = {&result.claim.readings[i], &result.readings[i].second};
-        }
-    }
-    return kindest;
-}
-
-std::optional<Evidence> formula_counterexample(const RefutedReading& refuted) {
+std::optional<Evidence> formula_counterexample(const SpokenOf& refuted) {
     const auto pair = formulas_of(refuted);
     if (!pair || has_binder(pair->printed) || has_binder(pair->correct)) {
         return std::nullopt;
@@ -296,8 +280,7 @@ Rational short_decimal_between(const Rational& x, const Rational& y) {
     return middle;
 }
 
-std::optional<Evidence> reach_counterexample(const RefutedReading& refuted,
-                                             const AuditContext& context) {
+std::optional<Evidence> reach_counterexample(const SpokenOf& refuted, const AuditContext& context) {
     const Claim& claim = *refuted.claim;
     const auto reach = quoted_reach(claim);
     if (!reach || !refuted.outcome->computed || !claim.has("quoted")) {
@@ -329,7 +312,7 @@ std::optional<Evidence> reach_counterexample(const RefutedReading& refuted,
         {"printed_means", quoted > computed ? "at most the tolerance" : "more than the tolerance"}};
 }
 
-std::optional<Evidence> integral_counterexample(const RefutedReading& refuted,
+std::optional<Evidence> integral_counterexample(const SpokenOf& refuted,
                                                 const AuditContext& context) {
     const Claim& claim = *refuted.claim;
     if (!claim.has("says") || !claim.has("of") || claim.kind != "compare") {
@@ -355,6 +338,16 @@ std::optional<Evidence> integral_counterexample(const RefutedReading& refuted,
 
 } // namespace
 
+SpokenOf spoken_of(const ClaimResult& result) {
+    SpokenOf found{&result.claim, &result.outcome};
+    for (std::size_t i = 0; i < result.readings.size(); ++i) {
+        if (result.readings[i].second.verdict == Verdict::refuted) {
+            found = {&result.claim.readings[i], &result.readings[i].second};
+        }
+    }
+    return found;
+}
+
 Rational quoted_number(const std::string& text) {
     const std::size_t percent = text.find(" %");
     const Rational number = parse_decimal(text.substr(0, percent));
@@ -378,7 +371,7 @@ std::optional<Evidence> clearest_counterexample(const ClaimResult& result,
     if (result.outcome.verdict != Verdict::refuted) {
         return std::nullopt;
     }
-    const RefutedReading refuted = kindest_refuted(result);
+    const SpokenOf refuted = spoken_of(result);
     try {
         if (quoted_reach(*refuted.claim)) {
             return reach_counterexample(refuted, context);

@@ -49,6 +49,14 @@ void add_later_results(AuditResult& result, const AuditContext& context);
 [[nodiscard]] std::optional<Evidence> clearest_counterexample(const ClaimResult& result,
                                                               const AuditContext& context);
 
+/// The claim or the reading to which a correction refers: the last reading that is refuted, which
+/// is the most favourable to the source.
+struct SpokenOf {
+    const Claim* claim;
+    const Outcome* outcome;
+};
+[[nodiscard]] SpokenOf spoken_of(const ClaimResult& result);
+
 /// The parts of a figure exit(terms, tolerance)/base, or of measure(...)/base.
 struct QuotedReach {
     Expr terms;

@@ -62,25 +62,6 @@ Decision all_of(const ConditionInScene& condition, std::vector<Margin> places, s
     return open ? Decision() : all;
 }
 
-RelationInScene everywhere(const ConditionInScene& condition, const Real& nearest) {
-    RelationInScene result;
-    const MarginScan scan(condition, nearest);
-    result.places = scan.places().size();
-    if (result.places == 0) {
-        return result;
-    }
-    result.decisive = *std::ranges::min_element(scan.places(), {}, &Margin::value);
-    std::size_t enclosed = 0;
-    result.decision = all_of(condition, scan.places(), enclosed);
-    if (confirms(result.decision)) {
-        result.places = enclosed;
-        if (scan.nearly_changes(true)) {
-            result.decision = {};
-        }
-    }
-    return result;
-}
-
 /// The decision at all places, if it is the same at each.
 Decision same_at_all(const std::vector<Decision>& decisions) {
     const bool same = !decisions.empty() && (std::ranges::all_of(decisions, confirms) ||
@@ -88,22 +69,32 @@ Decision same_at_all(const std::vector<Decision>& decisions) {
     return same ? decisions.back() : Decision();
 }
 
-RelationInScene somewhere(const ConditionInScene& condition, const Real& nearest) {
+/// The condition everywhere in a contact, or somewhere.
+RelationInScene in_contact(const ConditionInScene& condition, const Real& nearest, bool somewhere) {
     RelationInScene result;
     const MarginScan scan(condition, nearest);
-    result.places = scan.places().size();
-    if (result.places == 0) {
+    const std::vector<Margin>& places = scan.places();
+    result.places = places.size();
+    if (places.empty()) {
         return result;
     }
-    result.decisive = *std::ranges::max_element(scan.places(), {}, &Margin::value);
-    if (result.decisive->clear && result.decisive->value > 0) {
+    result.decisive = somewhere ? *std::ranges::max_element(places, {}, &Margin::value)
+                                : *std::ranges::min_element(places, {}, &Margin::value);
+    if (!somewhere) {
+        std::size_t enclosed = 0;
+        result.decision = all_of(condition, places, enclosed);
+        if (confirms(result.decision)) {
+            result.places = enclosed;
+            result.decision = scan.nearly_changes(true) ? Decision() : result.decision;
+        }
+    } else if (result.decisive->clear && result.decisive->value > 0) {
         const auto there = condition.decide_at(&result.decisive->fraction);
         result.decision = there && confirms(*there) ? *there : Decision();
     } else if (!scan.nearly_changes(false)) {
         // The scan has also tried places between these where the sides come close to each other;
         // its completeness is sampled, not proved.
         std::vector<Decision> decisions;
-        for (const Margin& place : scan.places()) {
+        for (const Margin& place : places) {
             decisions.push_back(condition.decide_at(&place.fraction).value_or(Decision()));
         }
         const Decision same = same_at_all(decisions);
@@ -334,10 +325,10 @@ Outcome check_condition(const Claim& claim, const AuditContext& context) {
     std::optional<Sample> failing; // the first, of a condition without a place
     for (const Sample& sample : context.samples(claim)) {
         const ConditionInScene in_scene(sample, condition, where, digits);
-        RelationInScene result = !placed                ? without_place(in_scene)
-                                 : holds == "somewhere" ? somewhere(in_scene, nearest)
-                                 : holds == "near-edge" ? near_edge(in_scene, nearest, has_equality)
-                                                        : everywhere(in_scene, nearest);
+        RelationInScene result = !placed ? without_place(in_scene)
+                                 : holds == "near-edge"
+                                     ? near_edge(in_scene, nearest, has_equality)
+                                     : in_contact(in_scene, nearest, holds == "somewhere");
         if (result.places == 0) { // `where` admits no place in this scene
             ++left_out;
         } else {

@@ -42,7 +42,6 @@ std::vector<Evidence> terms_evidence(const ExpansionComparison& comparison,
 struct Remainder {
     std::optional<Ball> order;
     std::string at;
-    std::size_t samples = 0;
 
     /// True if it is proved that the remainder is larger than the printed terms allow.
     [[nodiscard]] bool contradicts(const Rational& through) const {
@@ -81,7 +80,6 @@ Remainder measure_remainder(const Claim& claim, const std::vector<Sample>& sampl
             claim.reject("vary", "vary does not state where " + variable + " runs",
                          "write vary = { " + variable + " = [\"a*1e-14\"] }");
         }
-        ++remainder.samples;
         std::optional<Ball> order;
         SampleInBalls in_balls(sample, 30);
         static_cast<void>(in_balls.until([&](EnclosedSample& at) {
@@ -240,7 +238,7 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
         return outcome;
     }
     const Remainder remainder = measure_remainder(claim, samples, printed, exact, variable);
-    outcome.evidence["samples"] = remainder.samples;
+    outcome.evidence["samples"] = samples.size();
     outcome.evidence["order_of_the_rest"] =
         remainder.order ? remainder.order->midpoint().str(6, std::ios_base::fixed)
                         : "not enclosed, or no rest";

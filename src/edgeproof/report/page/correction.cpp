@@ -53,17 +53,6 @@ std::string digits_in(const Json& c, const std::string& key) {
     return number_tex(text_in(c, key)) + "\\dots";
 }
 
-/// Returns the claim or the reading to which a correction refers: the last that is refuted.
-std::pair<const Claim*, const audit::Outcome*> spoken_of(const audit::ClaimResult& result) {
-    std::pair<const Claim*, const audit::Outcome*> found{&result.claim, &result.outcome};
-    for (std::size_t i = 0; i < result.readings.size() && i < result.claim.readings.size(); ++i) {
-        if (result.readings[i].second.verdict == audit::Verdict::refuted) {
-            found = {&result.claim.readings[i], &result.readings[i].second};
-        }
-    }
-    return found;
-}
-
 /// Appends "= 0.127..." for a rounded value; nothing if the exact value has the same digits.
 std::string decimal_step(const std::string& decimal, const std::string& exact) {
     if (decimal.empty() || decimal == "0") {
@@ -179,7 +168,7 @@ std::vector<std::string> counterexample_steps(const audit::ClaimResult& result,
     if (!c.contains("with")) {
         return {};
     }
-    const Typeset by{*spoken_of(result).first, source};
+    const Typeset by{*spoken_of(result).claim, source};
     if (c.contains("distance")) {
         return reach_steps(c, by);
     }

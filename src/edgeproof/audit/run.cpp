@@ -21,12 +21,8 @@ namespace edgeproof::audit {
 namespace {
 
 Outcome check_one(const Claim& claim, const AuditContext& context) {
-    const CheckKind* kind = find_check_kind(claim.kind);
-    if (kind == nullptr) {
-        throw Error("no kind of check is called " + claim.kind);
-    }
     try {
-        return kind->check(claim, context);
+        return claim.check->check(claim, context);
     } catch (const InputError& error) { // such as a scene of a sweep in which the contact slides
         throw error.file().empty() ? error.at(claim.file, claim.line) : error;
     } catch (const Error& e) { // the budget is spent, or the method does not apply

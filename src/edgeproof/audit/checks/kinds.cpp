@@ -23,11 +23,22 @@ Outcome check_definition(const Claim&, const AuditContext&) {
 }
 
 std::vector<CheckKind> all_kinds() {
+    const std::vector<KeySpec> common{
+        optional("over", Type::text),
+        optional("edge", Type::choice, {"right", "left"}),
+        optional("where", Type::condition),
+        optional("with", Type::table),
+        optional("vary", Type::table),
+        optional("points", Type::integer),
+        optional("sizes", Type::list),
+        optional("remark", Type::text),
+        optional("decimals", Type::choice, {"rounded", "exact"}),
+    };
     const KeySpec says = required("says", Type::formula);
     const KeySpec of = required("of", Type::formula);
     const KeySpec given = optional("given", Type::formula_table);
     const KeySpec as_if = optional("as_if", Type::formula_table);
-    return {
+    std::vector<CheckKind> kinds{
         {"definition", {optional("says", Type::text)}, check_definition},
         {"compare",
          {{"says", Type::formula, true, {}, "quoted"},
@@ -50,6 +61,10 @@ std::vector<CheckKind> all_kinds() {
           required("from", Type::formulas), optional("degree", Type::integer), given},
          check_relations},
     };
+    for (CheckKind& kind : kinds) {
+        kind.keys.insert(kind.keys.begin(), common.begin(), common.end());
+    }
+    return kinds;
 }
 
 bool is_symmetric(const Family* family) {
@@ -61,26 +76,6 @@ bool is_symmetric(const Family* family) {
 const std::vector<CheckKind>& check_kinds() {
     static const std::vector<CheckKind> kinds = all_kinds();
     return kinds;
-}
-
-const CheckKind* find_check_kind(std::string_view name) {
-    const auto it = std::ranges::find(check_kinds(), name, &CheckKind::name);
-    return it == check_kinds().end() ? nullptr : &*it;
-}
-
-const std::vector<KeySpec>& common_keys() {
-    static const std::vector<KeySpec> keys{
-        optional("over", Type::text),
-        optional("edge", Type::choice, {"right", "left"}),
-        optional("where", Type::condition),
-        optional("with", Type::table),
-        optional("vary", Type::table),
-        optional("points", Type::integer),
-        optional("sizes", Type::list),
-        optional("remark", Type::text),
-        optional("decimals", Type::choice, {"rounded", "exact"}),
-    };
-    return keys;
 }
 
 std::vector<std::pair<std::string, Expr>> named_formulas(const Claim& claim, std::string_view key) {

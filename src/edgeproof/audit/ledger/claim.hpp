@@ -62,6 +62,7 @@ struct Relation {
 /// A conjunction of relations: "0 < x and x < a". "0 < x < a" is read as two relations.
 using Condition = std::vector<Relation>;
 
+struct CheckKind;
 struct KeySpec;
 
 /// One printed claim, as a row of the ledger gives it. Its formulas are parsed once, when the
@@ -69,6 +70,7 @@ struct KeySpec;
 struct Claim {
     std::string id;
     std::string kind;
+    const CheckKind* check = nullptr;          ///< that kind
     std::string printed;                       ///< TeX, exactly as printed
     std::pair<std::size_t, std::size_t> lines; ///< in the source
     std::string file;                          ///< the file of the ledger
@@ -144,7 +146,7 @@ private:
 class AuditContext;
 struct Outcome;
 
-/// A key of the claims of one kind, in addition to the common keys.
+/// A key of the claims of one kind.
 struct KeySpec {
     enum class Type {
         text,      ///< any text
@@ -168,16 +170,11 @@ struct KeySpec {
 /// A kind of claim, defined in checks/.
 struct CheckKind {
     std::string_view name;
+    /// First those of every kind: over, edge, where, with, vary, points, sizes, remark, decimals.
     std::vector<KeySpec> keys;
     std::function<Outcome(const Claim&, const AuditContext&)> check;
 };
 
 /// Returns all kinds, in the order of checks/kinds.cpp.
 [[nodiscard]] const std::vector<CheckKind>& check_kinds();
-/// Returns nullptr if there is no kind of that name.
-[[nodiscard]] const CheckKind* find_check_kind(std::string_view name);
-/// The keys that claims of every kind may have: over, edge, where, quoted, with, vary, points,
-/// sizes, remark, decimals.
-[[nodiscard]] const std::vector<KeySpec>& common_keys();
-
 } // namespace edgeproof::audit

@@ -39,6 +39,13 @@ Field read_field(const io::TomlSection& section, std::string_view key) {
     return field;
 }
 
+/// The names of kinds or of keys.
+template <class Named> Keys names_of(const std::vector<Named>& all) {
+    Keys names;
+    std::ranges::transform(all, std::back_inserter(names), &Named::name);
+    return names;
+}
+
 class LedgerReader {
 public:
     LedgerReader(std::string_view text, const std::string& file, ClaimErrors errors)
@@ -153,21 +160,15 @@ private:
                          "write a name in one line");
         }
         claim.kind = table.written("kind");
-        const CheckKind* kind = find_check_kind(claim.kind);
-        if (kind == nullptr) {
-            Keys known;
-            for (const CheckKind& k : check_kinds()) {
-                known.push_back(k.name);
-            }
-            table.reject("kind", "unknown kind '" + claim.kind + "'", one_of(claim.kind, known));
+        const std::vector<CheckKind>& kinds = check_kinds();
+        const auto kind = std::ranges::find(kinds, claim.kind, &CheckKind::name);
+        if (kind == kinds.end()) {
+            table.reject("kind", "unknown kind '" + claim.kind + "'",
+                         one_of(claim.kind, names_of(kinds)));
         }
+        claim.check = &*kind;
+        const Keys shared = names_of(kind->keys);
         Keys own{"id", "kind", "lines", "printed", "undefined", "reading"};
-        Keys shared;
-        for (const auto& keys : {common_keys(), kind->keys}) {
-            for (const KeySpec& key : keys) {
-                shared.push_back(key.name);
-            }
-        }
         own.insert(own.end(), shared.begin(), shared.end());
         table.allow(own);
         claim.printed = table.written_or("printed", "");
@@ -187,11 +188,7 @@ private:
         if (table.has("undefined")) {
             claim.undefined = table.written_list("undefined");
         }
-        for (const std::string_view key : shared) {
-            if (table.has(key)) {
-                claim.fields.emplace(std::string(key), read_field(table, key));
-            }
-        }
+        read_shared(table, shared, claim);
         claim.vocabulary = vocabulary_of(ledger_, claim);
         const std::vector<io::TomlSection> readings = table.sections_or_none("reading");
         for (const io::TomlSection& part : readings) {
@@ -201,35 +198,35 @@ private:
             Claim reading = claim;
             reading.readings.clear();
             reading.reading = part.written("text");
-            for (const std::string_view key : shared) {
-                if (part.has(key)) {
-                    reading.fields.insert_or_assign(std::string(key), read_field(part, key));
-                }
-            }
+            read_shared(part, shared, reading);
             claim.readings.push_back(std::move(reading));
         }
         // A claim with readings need not be complete itself.
-        read_fields(claim, *kind, readings.empty());
+        read_fields(claim, readings.empty());
         for (Claim& reading : claim.readings) {
             reading.vocabulary = vocabulary_of(ledger_, reading);
-            read_fields(reading, *kind, true);
+            read_fields(reading, true);
         }
         return claim;
     }
 
-    static void read_fields(Claim& claim, const CheckKind& kind, bool complete) {
-        for (const auto& keys : {common_keys(), kind.keys}) {
-            for (const KeySpec& key : keys) {
-                if (!claim.has(key.name)) {
-                    if (key.required && complete && !claim.has(key.unless)) {
-                        claim.reject(key.name,
-                                     "claim " + claim.id + " of kind " + claim.kind + " has no " +
-                                         std::string(key.name),
-                                     "add " + std::string(key.name) + " = \"...\"");
-                    }
-                    continue;
-                }
+    static void read_shared(const io::TomlSection& table, const Keys& keys, Claim& claim) {
+        for (const std::string_view key : keys) {
+            if (table.has(key)) {
+                claim.fields.insert_or_assign(std::string(key), read_field(table, key));
+            }
+        }
+    }
+
+    static void read_fields(Claim& claim, bool complete) {
+        for (const KeySpec& key : claim.check->keys) {
+            if (claim.has(key.name)) {
                 claim.read(key);
+            } else if (key.required && complete && !claim.has(key.unless)) {
+                claim.reject(key.name,
+                             "claim " + claim.id + " of kind " + claim.kind + " has no " +
+                                 std::string(key.name),
+                             "add " + std::string(key.name) + " = \"...\"");
             }
         }
     }

@@ -10,9 +10,7 @@
 TEST_CASE("derived formulas are written out, the same on every run") {
     const auto derived = [](const std::string& text) {
         Vocabulary names;
-        for (const std::string& name : scene_symbols()) {
-            names.symbols.add(name);
-        }
+        names.symbols = scene_names();
         return to_text(derive(parse_formula(text, names), {}));
     };
     CHECK(derived("right.c0") == "2*P1/(Pi*sqrt(a + b))");

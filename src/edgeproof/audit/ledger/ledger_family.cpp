@@ -111,9 +111,8 @@ private:
         const bool without_a = !parameters.has("a") || is_flat_punch(family_.profile);
         const bool given =
             name == "a" || name == "Es" || ((name == "P" || name == "delta") && without_a);
-        const bool computed = std::ranges::find(scene_symbols(), name) != scene_symbols().end() ||
-                              std::ranges::find(slip_symbols(), name) != slip_symbols().end() ||
-                              (family_.axisymmetric() && name == "delta");
+        const bool computed =
+            scene_names().has(name) || (family_.axisymmetric() && name == "delta");
         if (computed && !given) {
             parameters.reject(name,
                               name + " is computed from the other parameters and the place: a "

@@ -24,19 +24,6 @@ std::set<std::string> parameters_of(const Ledger& ledger, const Family& family) 
     return names;
 }
 
-formula::Symbols scene_names() {
-    formula::Symbols symbols;
-    for (const auto* names : {&scene_symbols(), &slip_symbols()}) {
-        for (const std::string& name : *names) {
-            symbols.add(name);
-        }
-    }
-    for (const auto& [name, arity] : scene_functions()) {
-        symbols.add_function(name, arity);
-    }
-    return symbols;
-}
-
 /// Returns the name as it is written in ledgers: "right.s0".
 std::string dotted(std::string name) {
     if (name.starts_with("right_") || name.starts_with("left_")) {
@@ -56,12 +43,13 @@ std::optional<Vocabulary::Refusal> refusal_of(const std::string& name, const Fam
     using Refusal = Vocabulary::Refusal;
     const auto slips = [](const Family* f) { return f->has("friction"); };
     const bool all_slip = std::ranges::all_of(members, slips);
-    const bool of_slip = std::ranges::find(slip_symbols(), name) != slip_symbols().end();
+    const bool of_slip = is_slip_symbol(name);
     const bool of_all = of_slip || is_one_of(name, {"a", "L", "P", "u", "x", "p", "given", "next"});
     const bool of_bodies_of_revolution = is_one_of(name, {"Es", "gap"}) ||
                                          name.starts_with("right_c") ||
                                          name.starts_with("left_c") || (all_slip && name == "q");
-    const bool of_stick = is_full_stick_symbol(name);
+    const bool of_stick =
+        order_behind(name, "right_s").has_value() || order_behind(name, "left_s").has_value();
     const bool of_punches = of_stick || is_one_of(name, {"b", "q"}) || family.has(name);
     const std::string missing =
         "'" + dotted(name) + "' is not available: family " + family.name + " is ";
@@ -193,9 +181,8 @@ Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim) {
                 v.refused.emplace(name, *std::move(refusal));
             }
         };
-        const formula::Symbols of_scenes = scene_names();
-        std::ranges::for_each(of_scenes.variables(), refuse);
-        for (const auto& [name, arguments] : of_scenes.functions()) {
+        std::ranges::for_each(scene_names().variables(), refuse);
+        for (const auto& [name, arguments] : scene_names().functions()) {
             refuse(name);
         }
     }
@@ -234,41 +221,32 @@ Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim) {
     return v;
 }
 
-const std::vector<std::string>& scene_symbols() {
-    static const std::vector<std::string> names = [] {
-        std::vector<std::string> all{"a", "b", "Es", "P", "M", "L", "u", "x"};
-        for (int k = 1; k <= 9; ++k) {
-            all.push_back("P" + std::to_string(k));
-            all.push_back("b" + std::to_string(k));
-        }
+bool is_slip_symbol(std::string_view name) {
+    return is_one_of(name, {"right_d", "left_d", "stick_a", "stick_b"});
+}
+
+const formula::Symbols& scene_names() {
+    static const formula::Symbols names = [] {
+        formula::Symbols all{"a", "b", "Es",      "P",      "M",       "L",
+                             "u", "x", "right_d", "left_d", "stick_a", "stick_b"};
         for (int k = 0; k <= 9; ++k) {
-            all.push_back("right_c" + std::to_string(k));
-            all.push_back("left_c" + std::to_string(k));
-            all.push_back("right_s" + std::to_string(k));
-            all.push_back("left_s" + std::to_string(k));
+            for (const char* stem : {"right_c", "left_c", "right_s", "left_s", "P", "b"}) {
+                if (k > 0 || std::string_view(stem).size() > 1) { // P and b themselves
+                    all.add(stem + std::to_string(k));
+                }
+            }
+        }
+        const std::pair<const char*, unsigned> functions[] = {
+            {"p", 1},       {"g1", 1},          {"Pof", 1},        {"P1of", 1}, {"bof", 1},
+            {"binv", 1},    {"right_local", 2}, {"left_local", 2}, {"q", 1},    {"gap", 1},
+            {"sxx", 2},     {"szz", 2},         {"sxz", 2},        {"slip", 1}, {"exit", 2},
+            {"measure", 2}, {"best", 5},        {"given", 3},      {"next", 1}};
+        for (const auto& [name, arity] : functions) {
+            all.add_function(name, arity);
         }
         return all;
     }();
     return names;
-}
-
-const std::vector<std::string>& slip_symbols() {
-    static const std::vector<std::string> names{"right_d", "left_d", "stick_a", "stick_b"};
-    return names;
-}
-
-bool is_full_stick_symbol(std::string_view name) {
-    return (name.starts_with("right_s") && name.size() == 8) ||
-           (name.starts_with("left_s") && name.size() == 7);
-}
-
-const std::vector<std::pair<std::string, unsigned>>& scene_functions() {
-    static const std::vector<std::pair<std::string, unsigned>> functions{
-        {"p", 1},       {"g1", 1},          {"Pof", 1},        {"P1of", 1}, {"bof", 1},
-        {"binv", 1},    {"right_local", 2}, {"left_local", 2}, {"q", 1},    {"gap", 1},
-        {"sxx", 2},     {"szz", 2},         {"sxz", 2},        {"slip", 1}, {"exit", 2},
-        {"measure", 2}, {"best", 5},        {"given", 3},      {"next", 1}};
-    return functions;
 }
 
 } // namespace edgeproof::audit

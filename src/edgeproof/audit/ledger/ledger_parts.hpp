@@ -45,14 +45,10 @@ void collect_words(std::string_view text, std::set<std::string>& into);
 /// definitions, and then the ledger's.
 [[nodiscard]] Vocabulary vocabulary_of(const Ledger& ledger, const Claim& claim);
 
-/// The names that formulas may use in every scene, in addition to the parameters.
-[[nodiscard]] const std::vector<std::string>& scene_symbols();
-/// The names for scenes with friction only: the sizes of the slip zones and the edges of the stick
-/// zone -stick_b < x < stick_a.
-[[nodiscard]] const std::vector<std::string>& slip_symbols();
-/// True for a coefficient of q under full stick (right_s0, ...), which a scene with friction does
-/// not have.
-[[nodiscard]] bool is_full_stick_symbol(std::string_view name);
-[[nodiscard]] const std::vector<std::pair<std::string, unsigned>>& scene_functions();
+/// The names and functions that formulas may use in every scene, in addition to the parameters.
+[[nodiscard]] const formula::Symbols& scene_names();
+/// True for the names for scenes with friction only: the sizes of the slip zones and the edges of
+/// the stick zone -stick_b < x < stick_a.
+[[nodiscard]] bool is_slip_symbol(std::string_view name);
 
 } // namespace edgeproof::audit

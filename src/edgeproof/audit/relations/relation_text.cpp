@@ -80,8 +80,8 @@ namespace {
 
 Vocabulary names_of(const RelationQuestion& question) {
     Vocabulary vocabulary;
-    for (const std::string& name : scene_symbols()) {
-        if (name != "u" && name != "x" && name != "M") {
+    for (const std::string& name : scene_names().variables()) {
+        if (name != "u" && name != "x" && name != "M" && !is_slip_symbol(name)) {
             vocabulary.symbols.add(name);
         }
     }

@@ -33,7 +33,7 @@ public:
     [[nodiscard]] Pair at(std::size_t sample) const {
         Pair pair;
         pair.sample = sample;
-        integrals_ ? integrals_at(pair) : values_at(pair);
+        enclose(pair);
         if (!pair.printed && pair.exact) {
             pair.no_value = no_value_of(printed_, with_.samples.all()[sample], 2 * needed_);
         }
@@ -42,28 +42,21 @@ public:
 
 private:
     /// Increases the bits until the balls prove all digits; or that the formulas differ, and
-    /// whether by more than a confirmation allows.
-    void values_at(Pair& pair) const {
+    /// whether by more than a confirmation allows. The width of an integral's ball depends on the
+    /// digits it aims at: the bits are doubled if there is no enclosure, and the digits are
+    /// increased once if too many cancel.
+    void enclose(Pair& pair) const {
         const double needed = AuditContext::digits_needed(digits_);
         const Real allowed = pow(Real(10), -needed);
+        const unsigned aim = digits_ + (integrals_ ? spare_digits : 0);
         const auto decided = [&](long bits) {
-            enclose(bits, digits_, pair);
-            return pair.digits() >= digits_ ||
+            enclose(bits, aim, pair);
+            return integrals_ || pair.digits() >= digits_ ||
                    (pair.apart() && (pair.agreement(needed) || pair.proved_difference() > allowed));
         };
-        pair.problem = look_closer(decided, {2 * needed_, 8 * needed_});
-    }
-    /// The width of an integral's ball depends on the digits it aims at. The bits are doubled if
-    /// there is no enclosure, and the digits are increased once if too many cancel.
-    void integrals_at(Pair& pair) const {
-        const unsigned aim = digits_ + spare_digits;
-        const auto enclosed = [&](long bits) {
-            enclose(bits, aim, pair);
-            return true;
-        };
-        pair.problem = look_closer(enclosed, {2 * needed_, 4 * needed_});
+        pair.problem = look_closer(decided, {2 * needed_, (integrals_ ? 4 : 8) * needed_});
         const double proved = pair.digits();
-        if (pair.printed && !pair.apart() && proved < AuditContext::digits_needed(digits_)) {
+        if (integrals_ && pair.printed && !pair.apart() && proved < needed) {
             const auto missing = static_cast<unsigned>(std::clamp(aim - proved, 0., 1. * digits_));
             try {
                 enclose(4 * needed_, aim + missing, pair);

@@ -97,16 +97,15 @@ std::optional<int> degree_in_pressure(const Expr& e, const std::string& variable
 }
 
 std::optional<Expr> contact_argument(const Expr& e, const std::string& variable) {
-    if (e.kind() == Kind::call && (e.name() == "P1of" || e.name() == "bof") &&
-        holds_symbol(e, variable)) {
-        return e.arg(0);
-    }
-    for (const Expr& part : e.args()) {
-        if (auto found = contact_argument(part, variable)) {
-            return found;
+    std::optional<Expr> argument;
+    static_cast<void>(any_part(e, [&](const Expr& part) {
+        if (part.kind() == Kind::call && (part.name() == "P1of" || part.name() == "bof") &&
+            holds_symbol(part, variable)) {
+            argument = part.arg(0);
         }
-    }
-    return std::nullopt;
+        return argument.has_value();
+    }));
+    return argument;
 }
 
 std::vector<IntegrandCut> integrand_cuts(const Expr& f, const std::string& variable,

@@ -261,16 +261,11 @@ private:
     std::size_t order_;
 };
 
-L expansion(const Expr& e, const ExpansionIn& in, const SymbolField& field, std::size_t order) {
-    const ExpansionEnvironment environment(field, in.variable, in.edge, order);
-    return evaluate<L>(e, environment);
-}
-
 /// Expands to enough powers of w to reach `through`; uses more powers if too many are lost.
 L expansion_through(const Expr& e, const ExpansionIn& in, const SymbolField& field) {
     const auto top = static_cast<long>(numerator(Rational(in.through * 2)));
     for (std::size_t order = static_cast<std::size_t>(std::max(top, 0L)) + 4;; order += 4) {
-        L result = expansion(e, in, field, order);
+        L result = evaluate<L>(e, ExpansionEnvironment(field, in.variable, in.edge, order));
         if (result.end() > top || order > 40) {
             return result;
         }

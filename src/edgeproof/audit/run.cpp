@@ -209,11 +209,6 @@ struct LaterFinding {
     bool as_printed = false;
 };
 
-/// Returns the first reading of the claim, or the claim itself if it has no readings.
-const Claim& plain(const Claim& claim) {
-    return claim.readings.empty() ? claim : claim.readings.front();
-}
-
 /// For a reach: computes the error at the quoted distance, in the first scene. The result is "as
 /// printed" if the error rounds to the tolerance.
 LaterFinding at_quoted_distance(const LaterResult& later, const Claim& claim,
@@ -235,7 +230,6 @@ LaterFinding at_samples(const LaterResult& later, const Claim& claim, const Audi
     const PrecisionScope scope(40);
     LaterFinding finding;
     finding.as_printed = true;
-    bool any = false;
     for (const Sample& sample : samples.all()) {
         Real value;
         Real printed;
@@ -264,12 +258,11 @@ LaterFinding at_samples(const LaterResult& later, const Claim& claim, const Audi
             finding.comes_to = to_decimal(value, result_digits) +
                                (formula ? " times what is printed" : "") + ", " + full_text(sample);
         }
-        any = true;
         if (!finding.as_printed) {
             break;
         }
     }
-    if (!any) {
+    if (finding.comes_to.empty()) {
         throw Error("no sample has a value that is not zero");
     }
     if (formula && finding.as_printed) {
@@ -315,7 +308,8 @@ void add_later_results(AuditResult& result, const AuditContext& context) {
         check_interruption();
         Evidence one{{"claim", later.claim}, {"what", later.words}};
         try {
-            const Claim& claim = plain(to->claim);
+            const Claim& claim =
+                to->claim.readings.empty() ? to->claim : to->claim.readings.front();
             const auto reach = quoted_reach(claim);
             const LaterFinding finding = reach ? at_quoted_distance(later, claim, *reach, context)
                                                : at_samples(later, claim, context);

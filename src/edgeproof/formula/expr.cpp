@@ -218,41 +218,6 @@ Expr operator*(const Expr& x, const Expr& y) { return Expr::make(Expr::Kind::mul
 Expr operator/(const Expr& x, const Expr& y) { return Expr::make(Expr::Kind::div, {}, {x, y}); }
 Expr pow(const Expr& x, const Expr& y) { return Expr::make(Expr::Kind::pow, {}, {x, y}); }
 
-namespace {
-
-class Resolver {
-public:
-    explicit Resolver(const Definitions& definitions) : definitions_(definitions) {}
-
-    Definitions all() {
-        for (const auto& [name, formula] : definitions_) {
-            (void)resolved(name, formula);
-        }
-        return std::move(done_);
-    }
-
-private:
-    const Expr& resolved(const std::string& name, const Expr& formula) {
-        if (const auto it = done_.find(name); it != done_.end()) {
-            return it->second;
-        }
-        const Replacing now(names_, name);
-        Expr e = formula;
-        for (const std::string& part : free_symbols(formula)) {
-            if (const auto it = definitions_.find(part); it != definitions_.end()) {
-                e = substitute(e, part, resolved(part, it->second));
-            }
-        }
-        return done_.emplace(name, std::move(e)).first->second;
-    }
-
-    const Definitions& definitions_;
-    Definitions done_;
-    std::vector<std::string> names_;
-};
-
-} // namespace
-
 Replacing::Replacing(std::vector<std::string>& names, const std::string& name) : names_(names) {
     const auto first = std::find(names.begin(), names.end(), name);
     if (first != names.end()) {
@@ -267,7 +232,26 @@ Replacing::Replacing(std::vector<std::string>& names, const std::string& name) :
 }
 
 Definitions put_into_each_other(const Definitions& definitions) {
-    return Resolver(definitions).all();
+    Definitions done;
+    std::vector<std::string> names;
+    const std::function<const Expr&(const std::string&, const Expr&)> resolved =
+        [&](const std::string& name, const Expr& formula) -> const Expr& {
+        if (const auto it = done.find(name); it != done.end()) {
+            return it->second;
+        }
+        const Replacing now(names, name);
+        Expr e = formula;
+        for (const std::string& part : free_symbols(formula)) {
+            if (const auto it = definitions.find(part); it != definitions.end()) {
+                e = substitute(e, part, resolved(part, it->second));
+            }
+        }
+        return done.emplace(name, std::move(e)).first->second;
+    };
+    for (const auto& [name, formula] : definitions) {
+        static_cast<void>(resolved(name, formula));
+    }
+    return done;
 }
 
 Expr put_in(const Definitions& resolved, Expr e) {

@@ -39,55 +39,48 @@ std::string number_text(const Rational& q) {
            std::to_string(point - 1);
 }
 
-class TextPrinter {
-public:
-    std::string operator()(const Expr& e) const {
-        switch (e.kind()) {
-        case Kind::number:
-            return number_text(e.number());
-        case Kind::pi:
-            return "Pi";
-        case Kind::symbol:
-            return e.name();
-        case Kind::neg:
-            // "-(-x)": these parentheses are for the reader; the tree does not need them.
-            return '-' + wrapped(e.arg(0), e.arg(0).kind() == Kind::neg ? power : sign);
-        case Kind::add:
-            return infix(e, " + ", additive, multiplicative);
-        case Kind::sub:
-            return infix(e, " - ", additive, multiplicative);
-        case Kind::mul:
-            return infix(e, "*", multiplicative, sign);
-        case Kind::div:
-            return infix(e, "/", multiplicative, sign);
-        case Kind::pow:
-            return infix(e, "^", atom, power);
-        default:
-            return call(e);
-        }
-    }
+std::string wrapped(const Expr& e, Precedence least) {
+    const std::string text = to_text(e);
+    return precedence(e.kind()) < least ? '(' + text + ')' : text;
+}
 
-private:
-    std::string wrapped(const Expr& e, Precedence least) const {
-        const std::string text = (*this)(e);
-        return precedence(e.kind()) < least ? '(' + text + ')' : text;
-    }
-    std::string infix(const Expr& e, const char* op, Precedence left, Precedence right) const {
-        const Expr& second = e.arg(1);
-        return wrapped(e.arg(0), left) + op +
-               wrapped(second, second.kind() == Kind::neg ? power : right);
-    }
-    std::string call(const Expr& e) const {
-        std::string text = e.name() + '(';
-        for (std::size_t i = 0; i < e.args().size(); ++i) {
-            text += (i == 0 ? "" : ", ") + (*this)(e.args()[i]);
-        }
-        return text + ')';
-    }
-};
+std::string infix(const Expr& e, const char* op, Precedence left, Precedence right) {
+    const Expr& second = e.arg(1);
+    return wrapped(e.arg(0), left) + op +
+           wrapped(second, second.kind() == Kind::neg ? power : right);
+}
 
 } // namespace
 
-std::string to_text(const Expr& e) { return TextPrinter()(e); }
+std::string to_text(const Expr& e) {
+    switch (e.kind()) {
+    case Kind::number:
+        return number_text(e.number());
+    case Kind::pi:
+        return "Pi";
+    case Kind::symbol:
+        return e.name();
+    case Kind::neg:
+        // "-(-x)": these parentheses are for the reader; the tree does not need them.
+        return '-' + wrapped(e.arg(0), e.arg(0).kind() == Kind::neg ? power : sign);
+    case Kind::add:
+        return infix(e, " + ", additive, multiplicative);
+    case Kind::sub:
+        return infix(e, " - ", additive, multiplicative);
+    case Kind::mul:
+        return infix(e, "*", multiplicative, sign);
+    case Kind::div:
+        return infix(e, "/", multiplicative, sign);
+    case Kind::pow:
+        return infix(e, "^", atom, power);
+    default:
+        break;
+    }
+    std::string text = e.name() + '(';
+    for (std::size_t i = 0; i < e.args().size(); ++i) {
+        text += (i == 0 ? "" : ", ") + to_text(e.args()[i]);
+    }
+    return text + ')';
+}
 
 } // namespace edgeproof::formula

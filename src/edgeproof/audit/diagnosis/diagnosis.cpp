@@ -95,9 +95,10 @@ EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& e
             names, [&](const std::string& n) { return order_behind(n, letter).has_value(); });
     };
     // The coefficients depend on the derivatives of the contact law.
-    const bool coefficient = std::ranges::any_of(names, [](const std::string& n) {
+    const auto is_coefficient = [](const std::string& n) {
         return n.starts_with("right_c") || n.starts_with("left_c");
-    });
+    };
+    const bool coefficient = std::ranges::any_of(names, is_coefficient);
     const bool rates = coefficient || any("P");
     if (rates) {
         names.insert({"P1", "P2", "P3"});
@@ -118,7 +119,7 @@ EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& e
     });
     EditAlphabet alphabet;
     for (const std::string& name : in_order) {
-        if (name.starts_with("right_c") || name.starts_with("left_c")) {
+        if (is_coefficient(name)) {
             continue;
         }
         alphabet.symbols.push_back(name);

@@ -298,8 +298,8 @@ private:
                                                     {"Pof", "P1of"},
                                                     {"log", "exp"},
                                                     {"tan", "atan"}}};
+        const std::string& name = node_.name();
         for (const auto& [one, other] : swaps) {
-            const std::string& name = node_.name();
             if (name == one || name == other) {
                 put(Expr::call(name == one ? other : one,
                                std::vector<Expr>(node_.args().begin(), node_.args().end())),
@@ -308,17 +308,13 @@ private:
         }
         // Degrees for radians, in an angle or in the argument of a function.
         const Expr degree = Expr::pi() / whole(180);
-        for (const std::string_view of_angle : {"sin", "cos", "tan"}) {
-            if (node_.name() == of_angle) {
-                put(Expr::call(of_angle, {node_.arg(0) * degree}), "degrees", 3);
-                put(Expr::call(of_angle, {node_.arg(0) / degree}), "degrees", 3);
-            }
+        if (name == "sin" || name == "cos" || name == "tan") {
+            put(Expr::call(name, {node_.arg(0) * degree}), "degrees", 3);
+            put(Expr::call(name, {node_.arg(0) / degree}), "degrees", 3);
         }
-        for (const std::string_view angle : {"asin", "acos", "atan"}) {
-            if (node_.name() == angle) {
-                put(node_ * degree, "degrees", 3);
-                put(node_ / degree, "degrees", 3);
-            }
+        if (name == "asin" || name == "acos" || name == "atan") {
+            put(node_ * degree, "degrees", 3);
+            put(node_ / degree, "degrees", 3);
         }
         if (node_.builtin() == formula::Builtin::abs) {
             put(node_.arg(0), "absolute value", 2);

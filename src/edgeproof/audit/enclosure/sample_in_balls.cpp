@@ -16,18 +16,16 @@ std::optional<Ball> enclosed(const Expr& e, const Sample& sample, unsigned digit
 
 namespace {
 
-Expr named(const char* name) { return Expr::symbol(name); }
-
 /// A quantity of the same dimension as a name that does not vanish where the name does.
 Expr scale_of_name(const Expr& e) {
     const std::string& name = e.name();
     if (name == "M") {
-        return named("P") * named("L");
+        return Expr::symbol("P") * Expr::symbol("L");
     }
     for (const char* stem : {"right_c", "left_c", "right_s", "left_s"}) {
         if (const auto k = order_behind(name, stem)) {
             const Expr first = Expr::symbol(std::string(stem) + "0");
-            return first / pow(named("L"), Expr::number(Rational(*k)));
+            return first / pow(Expr::symbol("L"), Expr::number(Rational(*k)));
         }
     }
     return e;

@@ -29,14 +29,10 @@ struct Margin {
 /// A condition in one scene, at any place, by enclosures with as many bits as necessary.
 class ConditionInScene {
 public:
-    ConditionInScene(const ConditionInScene&) = delete;
-    ConditionInScene& operator=(const ConditionInScene&) = delete;
-    ~ConditionInScene() = default;
-
     ConditionInScene(const Sample& sample, PrintedCondition condition,
                      std::optional<Condition> where, unsigned digits)
-        : sample_(sample), printed_(std::move(condition)), condition_(printed_.as_printed),
-          where_(std::move(where)), digits_(digits), in_balls_(sample, first_digits, digits + 2) {}
+        : sample_(sample), printed_(std::move(condition)), where_(std::move(where)),
+          digits_(digits), in_balls_(sample, first_digits, digits + 2) {}
 
     /// Distances from the edge to the knots inside the contact, as fractions of its length.
     [[nodiscard]] std::vector<Real> knots() const {
@@ -85,7 +81,7 @@ public:
             return std::nullopt;
         }
         const auto look = [&](EnclosedSample& at, bool agreeing, Decision& found) {
-            found = decide(condition_, at, needed(), agreeing);
+            found = decide(printed_.as_printed, at, needed(), agreeing);
             if (refutes(found) && !printed_.decimals.empty()) {
                 Decimals intervals;
                 for (const PrintedDecimal& decimal : printed_.decimals) {
@@ -100,12 +96,12 @@ public:
             }
             return !is_open(found);
         };
-        return decide_by(condition_, in_balls_, look);
+        return decide_by(printed_.as_printed, in_balls_, look);
     }
     /// Sides whose difference is smaller than this, relative to its size nearby, satisfy the
     /// condition: 0 unless all its relations allow equality.
     [[nodiscard]] Real counts_as_equal() const {
-        return std::ranges::all_of(condition_, allows_equality)
+        return std::ranges::all_of(printed_.as_printed, allows_equality)
                    ? pow(Real(10), -static_cast<int>(needed()))
                    : Real(0);
     }
@@ -127,7 +123,7 @@ private:
         const PrecisionScope scope(digits_ + 20);
         const Real noise = pow(Real(10), -static_cast<int>(digits_));
         std::optional<Margin> least;
-        for (const Relation& r : condition_) {
+        for (const Relation& r : printed_.as_printed) {
             using Op = Relation::Op;
             const auto [lhs, rhs] = sides_of(r, at);
             if (!lhs.is_finite() || !rhs.is_finite()) {
@@ -169,7 +165,6 @@ private:
 
     Sample sample_;
     PrintedCondition printed_;
-    const Condition& condition_; ///< as printed
     std::optional<Condition> where_;
     unsigned digits_;
     mutable SampleInBalls in_balls_;

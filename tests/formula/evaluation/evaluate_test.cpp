@@ -1,23 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 
+#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/formula/parse.hpp"
-#include "tests/formula/ball_values.hpp"
+#include "edgeproof/precision/error.hpp"
 #include "tests/formula/items.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
+#include <map>
 #include <string>
 
 namespace {
 
+/// Names with values in balls, for formula::evaluate.
+struct BallValues : formula::BallConstants {
+    std::map<std::string, Ball, std::less<>> values{};
+    [[nodiscard]] Ball symbol(std::string_view name) const {
+        const auto it = values.find(name);
+        return it != values.end() ? it->second : BallConstants::symbol(name);
+    }
+};
+
 const Symbols value_symbols{"x", "y", "n"};
 
-Ball value(std::string_view text, const test::BallValues& values = {{200}}) {
+Ball value(std::string_view text, const BallValues& values = {{200}}) {
     return evaluate<Ball>(parse(text, value_symbols), values);
 }
-test::BallValues with(long x, long y, long n) {
+BallValues with(long x, long y, long n) {
     return {{200}, {{"x", Ball(x, 200)}, {"y", Ball(y, 200)}, {"n", Ball(n, 200)}}};
 }
 
@@ -31,7 +42,7 @@ const char* const sqrt2_100 =
 } // namespace
 
 TEST_CASE("known digits") {
-    const test::BallValues values{{400}};
+    const BallValues values{{400}};
     const PrecisionScope scope(100);
     const auto has_digits = [&](const char* text, const char* digits) {
         const Ball error = abs(value(text, values) - Ball(Real(digits), 400));
@@ -44,7 +55,7 @@ TEST_CASE("known digits") {
 
 TEST_CASE("identities hold") {
     const long bits = 660;
-    const test::BallValues values{
+    const BallValues values{
         {bits}, {{"x", Ball(Rational(3, 7), bits)}, {"y", Ball(Rational(-11, 13), bits)}}};
     for (const std::string& zero : test::items(R"ITEMS(
         6*asin(1/2) - Pi   gamma(1/2)^2 - Pi   3*acos(1/2) - Pi   4*atan(1) - Pi
@@ -88,9 +99,9 @@ TEST_CASE("what the environment does not have is an error") {
     Symbols s = value_symbols;
     s.add_function("f", 2);
     const Expr e = parse("f(x, 2)*3", s);
-    const test::BallValues values = with(5, 0, 0);
+    const BallValues values = with(5, 0, 0);
     CHECK_THROWS_AS((void)evaluate<Ball>(e, values), Error);
-    struct Difference : test::BallValues {
+    struct Difference : BallValues {
         [[nodiscard]] static Ball call(const Expr& node, std::span<const Ball> args) {
             return node.name() == "f" ? args[0] - args[1] : Ball();
         }

@@ -289,30 +289,6 @@ TEST_CASE("least squares: a known line, its standard errors, dependent columns")
     CHECK_FALSE(least_squares({{1, 2}, {0, 1}}, std::vector<double>{1, 2}));
 }
 
-TEST_CASE("errors at the edges only: the zone to leave out is suggested, in elements") {
-    // A mesh that smears the edge over an element: the error is in the elements next to it.
-    const double h = 1.0 / 16;
-    const auto text = table(mesh, [h](double x) { return smeared(x, h); });
-    SuspectContacts suspects(edgeproof::hertz_data::hertz());
-    const FileComparison file =
-        compare_file(parse_result(text, "r.csv"), exact(), within(0.01), Rational(0), &suspects);
-    REQUIRE_FALSE(file.passes());
-    REQUIRE(file.suggested_zone);
-    const SuggestedZone& zone = *file.suggested_zone;
-    CHECK(zone.length[0] == doctest::Approx(zone.elements * h));
-    Tolerances left_out = within(0.01);
-    left_out.zone = parse_edge_zone(std::to_string(zone.elements) + "e");
-    const FileComparison passing =
-        compare_file(parse_result(text, "r.csv"), exact(), left_out, Rational(0), &suspects);
-    CHECK(passing.passes());
-    CHECK(passing.errors.peak == doctest::Approx(zone.error));
-    if (zone.elements > 1) {
-        left_out.zone = parse_edge_zone(std::to_string(zone.elements - 1) + "e");
-        CHECK_FALSE(
-            compare_file(parse_result(text, "r.csv"), exact(), left_out, Rational(0)).passes());
-    }
-}
-
 TEST_CASE("meshes that smear the edge: orders") {
     std::vector<FileComparison> files;
     for (const int n : {32, 64, 128, 256}) {

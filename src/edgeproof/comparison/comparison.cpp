@@ -149,10 +149,6 @@ FileComparison compare_file(ResultTable table, const ExactContact& exact,
         file.diagnosis.reset(); // there is no error that these nodes show
     }
     const bool right = !file.diagnosis || file.diagnosis->at_edges_only;
-    if (!file.passes() && file.diagnosis && file.diagnosis->at_edges_only &&
-        !(in_norm(file.errors, tolerances.of) <= tolerances.pressure)) {
-        file.suggested_zone = suggested_zone(file, exact, tolerances);
-    }
     if (suspects != nullptr && right && file.shear && file.shear->peak > least) {
         file.shear_diagnosis = diagnose_shear(file.data, file.contact, *suspects, exact, own_error);
     }

@@ -65,13 +65,6 @@ struct SurfaceErrors {
     double exact = 0;
 };
 
-/// The least zone at the edges outside of which the error of p is within the tolerance.
-struct SuggestedZone {
-    int elements = 0;
-    std::array<double, 2> length{}; ///< of these elements, by index_of(edge)
-    double error = 0;               ///< outside of it, in the norm of the tolerances
-};
-
 struct FileComparison {
     ResultTable table;
     AlignedResult data;
@@ -90,8 +83,6 @@ struct FileComparison {
     std::size_t inside = 0;
     std::size_t outside = 0;
     std::size_t pressing_outside = 0; ///< those with more than 1/500 of the largest pressure
-    /// Set if the data fail, and their errors are at the edges only.
-    std::optional<SuggestedZone> suggested_zone;
     std::optional<Diagnosis> diagnosis;       ///< if there is an error to explain
     std::optional<Diagnosis> shear_diagnosis; ///< of q, if p is right
     std::vector<std::string> failures;        ///< the reasons why it does not pass, a sentence each
@@ -148,10 +139,6 @@ void compare_surface(FileComparison& file, const scene::Scene& scene, const Exac
 
 /// Adds the reasons for which measured data fail their tolerances.
 void judge(FileComparison& file, const ExactContact& exact, const Tolerances& tolerances);
-
-/// The least zone, of at most ten elements, that leaves most of the nodes inside the contact.
-[[nodiscard]] std::optional<SuggestedZone>
-suggested_zone(const FileComparison& file, const ExactContact& exact, const Tolerances& tolerances);
 
 /// Throws InputError, with the file, if fewer than three nodes lie inside the exact contact, or if
 /// the edge zones leave none of these: such data cannot be compared. The advice depends on the

@@ -198,28 +198,6 @@ void judge(FileComparison& file, const ExactContact& exact, const Tolerances& to
     Judge(file, exact, tolerances).judge();
 }
 
-std::optional<SuggestedZone> suggested_zone(const FileComparison& file, const ExactContact& exact,
-                                            const Tolerances& tolerances) {
-    constexpr int most_elements = 10;
-    for (int elements = 1; elements <= most_elements; ++elements) {
-        const EdgeZone zone{static_cast<double>(elements), {}};
-        const auto left = std::ranges::count_if(file.data.nodes, [&](const Node& node) {
-            return node.place.inside() && is_counted(node, zone, file.contact);
-        });
-        const double error = in_norm(measure(file.data, exact, file.contact, zone), tolerances.of);
-        if (2 * left < static_cast<std::ptrdiff_t>(file.inside)) {
-            break;
-        }
-        if (error <= tolerances.pressure) {
-            return SuggestedZone{
-                elements,
-                {elements * file.contact.element[0], elements * file.contact.element[1]},
-                error};
-        }
-    }
-    return {};
-}
-
 void require_nodes_inside(const FileComparison& file, const ExactContact& exact,
                           const EdgeZone& zone) {
     constexpr double loaded_share = 0.02; // of the largest pressure

@@ -116,12 +116,6 @@ ordered_json file_json(const ComparisonReport& report, const comparison::FileCom
         return row;
     });
     j["causes"] = causes_json(file.diagnosis);
-    if (const auto& zone = file.suggested_zone) {
-        j["edge_zone"] = {{"elements", zone->elements},
-                          {"right", zone->length[0]},
-                          {"left", zone->length[1]},
-                          {"error", zone->error}};
-    }
     if (file.diagnosis && file.diagnosis->factor) {
         j[file.diagnosis->factor->of_x ? "common_factor_of_x" : "common_factor"] = {
             {"value", file.diagnosis->factor->value}, {"error", file.diagnosis->factor->error}};

@@ -84,12 +84,6 @@ std::vector<std::string> lines_of(const std::optional<comparison::Diagnosis>& di
 
 std::vector<std::string> diagnosis_lines(const FileComparison& file) {
     std::vector<std::string> lines = lines_of(file.diagnosis, "p");
-    if (const auto& zone = file.suggested_zone) {
-        lines.push_back(fmt::format("with --edge-zone {}e ({:.4g} at the right edge, {:.4g} at the "
-                                    "left) the error of p is {}",
-                                    zone->elements, zone->length[0], zone->length[1],
-                                    percent_text(zone->error)));
-    }
     const std::vector<std::string> more = lines_of(file.shear_diagnosis, "q");
     lines.insert(lines.end(), more.begin(), more.end());
     return lines;

@@ -32,11 +32,7 @@ public:
         pressure();
         shear();
         for (const ComparedQuantity& q : compared_quantities(file_, exact_)) {
-            const bool c0 = q.name.starts_with("c_0");
-            const auto tolerance = c0                               ? tolerances_.c0
-                                   : q.name == "P"                  ? tolerances_.force
-                                   : q.name == "a" || q.name == "b" ? tolerances_.edges
-                                                                    : std::nullopt;
+            const auto tolerance = tolerance_of(q.name);
             if (tolerance && (!q.edge || file_.data.has(*q.edge))) {
                 hold(q, *tolerance);
             }
@@ -45,15 +41,18 @@ public:
 
 private:
     void fail(std::string why) { file_.failures.push_back(std::move(why)); }
+    /// The tolerance for a, b, P or c_0.
+    [[nodiscard]] std::optional<double> tolerance_of(std::string_view quantity) const {
+        return quantity.starts_with("c_0")          ? tolerances_.c0
+               : quantity == "P"                    ? tolerances_.force
+               : quantity == "a" || quantity == "b" ? tolerances_.edges
+                                                    : std::nullopt;
+    }
 
     /// A quantity that the nodes do not determine fails.
     void coverage() {
         for (const Undetermined& missing : file_.undetermined) {
-            const bool compared =
-                missing.quantity == Determined::force
-                    ? tolerances_.force.has_value()
-                    : missing.quantity != Determined::largest && tolerances_.edges.has_value();
-            if (!tolerances_.partial || compared) {
+            if (!tolerances_.partial || tolerance_of(missing.quantity)) {
                 fail(missing.why + (tolerances_.partial
                                         ? ""
                                         : "; give all of the contact, or --partial to compare p at "

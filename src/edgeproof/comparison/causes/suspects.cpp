@@ -326,8 +326,7 @@ private:
                     [this, n, edge_of = edge_of](std::size_t i) {
                         const auto& place = data_[i].place;
                         const contact::Edge edge = edge_of(place);
-                        const bool right = edge == contact::Edge::right;
-                        const double u = right ? place.from_right : place.from_left;
+                        const double u = place.from(edge);
                         double sum = 0;
                         for (std::size_t k = place.inside() ? n : 0; k-- > 0;) {
                             sum = sum * u + exact_.c(edge, k).value;

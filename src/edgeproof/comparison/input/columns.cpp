@@ -139,17 +139,14 @@ ResultReading reading_of(const std::optional<scene::Units>& units, const std::st
     ResultReading reading;
     reading.units = units;
     for (const auto& [part, key, value] : choices_in(columns)) {
-        std::optional<std::string>* const place = key == "x"   ? &reading.columns.x
-                                                  : key == "p" ? &reading.columns.p
-                                                  : key == "q" ? &reading.columns.q
-                                                               : nullptr;
-        if (place == nullptr || value.empty() || *place) {
+        const bool twice = reading.columns.contains(key);
+        if (twice || value.empty() || (key != "x" && key != "p" && key != "q")) {
             throw InputError("--columns " + columns + ": '" + part +
                                  "' does not name a column of x, p or q" +
-                                 (place != nullptr && *place ? " that is not named already" : ""),
+                                 (twice ? " that is not named already" : ""),
                              "write it as x=1,p=3, by number from 1 or by name");
         }
-        *place = value;
+        reading.columns.emplace(key, value);
     }
     for (const auto& [part, key, value] : choices_in(scale)) {
         const auto factor = io::read_number(value);

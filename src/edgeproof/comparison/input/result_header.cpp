@@ -151,7 +151,8 @@ private:
                 return;
             }
             const bool blanks = text_.separator == ' ';
-            const bool chosen_columns = blanks && reading_.columns.x && reading_.columns.p;
+            const bool chosen_columns =
+                blanks && reading_.columns.contains("x") && reading_.columns.contains("p");
             if (both && !text_.lines[i].comment && names.size() > 1 && !chosen_columns) {
                 text_.reject(
                     text_.lines[i].number,
@@ -169,9 +170,8 @@ private:
         }
     }
     [[nodiscard]] bool names_chosen(const std::vector<Cell>& names) const {
-        const ColumnChoice& chosen = reading_.columns;
-        return std::ranges::any_of(names, [&](const Cell& name) {
-            return chosen.x == name.text || chosen.p == name.text || chosen.q == name.text;
+        return std::ranges::any_of(reading_.columns, [&](const auto& chosen) {
+            return std::ranges::find(names, chosen.second, &Cell::text) != names.end();
         });
     }
 
@@ -182,11 +182,11 @@ private:
             header_ = names_in(text_.lines[*near_header_]);
         }
         const auto roles = roles_in(header_);
-        found_.x = column(ColumnRole::place, reading_.columns.x, "x", roles, 0);
-        found_.p = column(ColumnRole::pressure, reading_.columns.p, "p", roles, 1);
+        found_.x = column(ColumnRole::place, "x", roles, 0);
+        found_.p = column(ColumnRole::pressure, "p", roles, 1);
         const auto q = roles.find(ColumnRole::shear);
-        if (reading_.columns.q || (q != roles.end() && !q->second.twin)) {
-            found_.q = column(ColumnRole::shear, reading_.columns.q, "q", roles, 2);
+        if (reading_.columns.contains("q") || (q != roles.end() && !q->second.twin)) {
+            found_.q = column(ColumnRole::shear, "q", roles, 2);
         }
         if (found_.x.index == found_.p.index || (found_.q && (found_.q->index == found_.x.index ||
                                                               found_.q->index == found_.p.index))) {
@@ -236,11 +236,10 @@ private:
                (c.index < header_.size() ? " (" + printable(header_[c.index].text) + ")" : "");
     }
 
-    [[nodiscard]] UsedColumn column(ColumnRole role, const std::optional<std::string>& choice,
-                                    const char* key, const std::map<ColumnRole, Found>& roles,
-                                    std::size_t usual) {
-        if (choice) {
-            return chosen(*choice, key);
+    [[nodiscard]] UsedColumn column(ColumnRole role, const char* key,
+                                    const std::map<ColumnRole, Found>& roles, std::size_t usual) {
+        if (const auto choice = reading_.columns.find(key); choice != reading_.columns.end()) {
+            return chosen(choice->second, key);
         }
         const auto found = roles.find(role);
         if (found != roles.end()) {

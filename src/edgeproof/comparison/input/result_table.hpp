@@ -7,6 +7,8 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,13 +41,6 @@ struct NamedRole {
 /// The rank of a column that numbers load steps or their parts, or gives their time: the steps come
 /// first. Nothing for another name.
 [[nodiscard]] std::optional<int> step_rank(std::string_view plain_name);
-
-/// The user's choice of columns, by number from 1 or by name.
-struct ColumnChoice {
-    std::optional<std::string> x;
-    std::optional<std::string> p;
-    std::optional<std::string> q;
-};
 
 /// A row of a result: the exact written values of place and pressure, in the scene's units.
 struct ResultRow {
@@ -82,7 +77,8 @@ struct ResultTable {
 };
 
 struct ResultReading {
-    ColumnChoice columns;
+    /// The columns that the user chooses for x, p and q, by number from 1 or by name.
+    std::map<std::string, std::string, std::less<>> columns;
     std::optional<Rational> x_scale; ///< the factor for the numbers of the file
     std::optional<Rational> p_scale;
     std::optional<scene::Units> units; ///< of the scene; the file's own units are converted

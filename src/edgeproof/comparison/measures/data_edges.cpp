@@ -238,24 +238,23 @@ std::optional<std::string> no_force(const AlignedResult& data, const ExactContac
 std::vector<Undetermined> undetermined(const AlignedResult& data, const DataContact& of_exact,
                                        const ExactContact& exact) {
     std::vector<Undetermined> list;
-    const auto add = [&](Determined quantity, const std::optional<std::string>& why) {
+    const auto add = [&](std::string_view quantity, const std::optional<std::string>& why) {
         if (why) {
             list.push_back({quantity, *why});
         }
     };
     for (const contact::Edge at : both_edges) {
         if (data.has(at)) {
-            add(at == contact::Edge::right ? Determined::a : Determined::b,
-                no_edge(data, of_exact, exact, at));
+            add(at == contact::Edge::right ? "a" : "b", no_edge(data, of_exact, exact, at));
         }
     }
-    add(Determined::force, no_force(data, exact));
+    add("P", no_force(data, exact));
     double most = 0;
     for (const Node& node : data.nodes) {
         most = std::max(most, node.p.exact.value_or(0));
     }
     if (!exact.scale().mean && !(most >= (1 - most_off) * exact.scale().value)) {
-        add(Determined::largest,
+        add("largest p",
             fmt::format("the largest p is not determined: it is {:.6g}, and the exact pressure at "
                         "these nodes reaches {:.6g}",
                         exact.scale().value, most));

@@ -133,7 +133,10 @@ public:
         [[nodiscard]] contact::Edge nearer() const {
             return from_right <= from_left ? contact::Edge::right : contact::Edge::left;
         }
-        [[nodiscard]] double u() const { return from_right <= from_left ? from_right : from_left; }
+        [[nodiscard]] double from(contact::Edge edge) const {
+            return edge == contact::Edge::right ? from_right : from_left;
+        }
+        [[nodiscard]] double u() const { return from(nearer()); }
     };
     [[nodiscard]] Place at(const Real& x) const;
     /// p at x in binary64, for searches and suspects: of a curved slope an estimate of at least

@@ -245,8 +245,7 @@ NearNodes nodes_between(const AlignedResult& data, contact::Edge edge, double ou
                         double to) {
     NearNodes near;
     for (const Node& node : data.nodes) {
-        const double u = outwards + (edge == contact::Edge::right ? node.place.from_right
-                                                                  : node.place.from_left);
+        const double u = outwards + node.place.from(edge);
         if (u > 0 && u >= from && u <= to) {
             near.u.push_back(u);
             near.p.push_back(node.p.data);

@@ -153,11 +153,9 @@ struct DataContact {
 /// than four times the scatter of the nodes outside (but at most 1/20 of the largest).
 [[nodiscard]] DataContact contact_of(const AlignedResult& data, const ExactContact& exact);
 
-enum class Determined { a, b, force, largest };
-
 /// A quantity that the nodes do not determine, with the reason as a sentence.
 struct Undetermined {
-    Determined quantity;
+    std::string_view quantity; ///< a, b, P or largest p
     std::string why;
 };
 

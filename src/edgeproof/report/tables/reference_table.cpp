@@ -91,8 +91,6 @@ std::string exact_place(const conformance::AskedContact& contact, const conforma
 
 } // namespace
 
-std::string checksum_text(std::uint64_t hash) { return fmt::format("fnv1a-64 {:016x}", hash); }
-
 std::string csv_line(const std::vector<std::string>& cells) {
     std::string text;
     for (const std::string& cell : cells) {
@@ -104,6 +102,22 @@ std::string csv_line(const std::vector<std::string>& cells) {
     }
     text.back() = '\n';
     return text;
+}
+
+std::vector<Fact> facts_of_rows(const io::Csv& table) {
+    const auto route = table.column("route");
+    std::uint64_t hash = io::fnv1a(csv_line(table.header.cells));
+    std::size_t estimates = 0;
+    for (const io::Csv::Row& row : table.rows) {
+        hash = io::fnv1a(csv_line(row.cells), hash);
+        estimates += route && *route < row.cells.size() &&
+                             row.cells[*route].find("(estimate)") != std::string::npos
+                         ? 1
+                         : 0;
+    }
+    return {{"rows", std::to_string(table.rows.size())},
+            {"estimates", std::to_string(estimates)},
+            {"checksum", fmt::format("fnv1a-64 {:016x}", hash)}};
 }
 
 namespace {
@@ -160,24 +174,21 @@ Table reference_table(const conformance::Recipe& recipe, const conformance::Ques
                                   {"edge", "tolerance", "u", "body", "x", "z", "quantity", "value",
                                    "bound", "binary64", "route"},
                                   Column::Kind::number);
-    std::size_t estimates = 0;
-    std::uint64_t hash = io::fnv1a(csv_line(names_of(table.columns)));
+    io::Csv rows;
+    rows.header.cells = names_of(table.columns);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const conformance::Question& q = some.list[i];
         table.rows.push_back(row_of(
             table.columns, cells_of(some.contacts[q.contact], q, values[i], keys, recipe.digits)));
-        hash = io::fnv1a(csv_line(table.rows.back()), hash);
-        estimates += values[i].value.proved ? 0 : 1;
+        rows.rows.push_back({0, table.rows.back()});
     }
     table.facts = {
         {"recipe", std::filesystem::path(recipe.file).filename().string()},
         {"program", program_line()},
         {"digits", std::to_string(recipe.digits.count)},
         {"rounding", std::string(rounding_name(recipe.digits.rounding))},
-        {"rows", std::to_string(values.size())},
-        {"estimates", std::to_string(estimates)},
-        {std::string(checksum_key), checksum_text(hash)},
     };
+    std::ranges::copy(facts_of_rows(rows), std::back_inserter(table.facts));
     table.notes = {
         "u: distance inwards from the edge; x: place; c_k: coefficient of u^(k + 1/2) in p; s_k: "
         "of q, from its lowest power on",
@@ -206,21 +217,10 @@ namespace {
 
 /// Returns the facts that the head of a table states wrongly, or does not state, a sentence each.
 std::vector<std::string> wrong_facts(const io::Csv& old, const Table& made) {
-    const auto route = old.column("route");
-    std::uint64_t hash = io::fnv1a(csv_line(old.header.cells));
-    std::size_t estimates = 0;
-    for (const io::Csv::Row& row : old.rows) {
-        hash = io::fnv1a(csv_line(row.cells), hash);
-        estimates += route && *route < row.cells.size() &&
-                             row.cells[*route].find("(estimate)") != std::string::npos
-                         ? 1
-                         : 0;
+    std::map<std::string, std::string> expected;
+    for (const Fact& fact : facts_of_rows(old)) {
+        expected[fact.key] = fact.value;
     }
-    std::map<std::string, std::string> expected{
-        {"rows", std::to_string(old.rows.size())},
-        {"estimates", std::to_string(estimates)},
-        {std::string(checksum_key), checksum_text(hash)},
-    };
     for (const Fact& fact : made.facts) {
         if (fact.key == "digits" || fact.key == "rounding") {
             expected[fact.key] = fact.value;

@@ -4,21 +4,18 @@
 #include "edgeproof/io/foreign_text.hpp"
 #include "edgeproof/report/tables/table.hpp"
 
-#include <cstdint>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace edgeproof::report {
 
-/// The fact that has the checksum of the header and the rows as CSV, and its text for a hash of
-/// io::fnv1a.
-inline constexpr std::string_view checksum_key = "checksum";
-[[nodiscard]] std::string checksum_text(std::uint64_t hash);
-
 /// Returns cells as a line of CSV, with its end.
 [[nodiscard]] std::string csv_line(const std::vector<std::string>& cells);
+
+/// Returns what the head of a reference table states about its rows: their number, the number of
+/// estimates, and the checksum (io::fnv1a) of the header and the rows as CSV.
+[[nodiscard]] std::vector<Fact> facts_of_rows(const io::Csv& table);
 
 /// Returns answers to some of a recipe's questions as a table, one row per question: id,
 /// parameters, edge, u, x, quantity, value, bound, binary64 (17 digits), route. The checksum covers

@@ -9,51 +9,29 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <string_view>
 
 namespace edgeproof::report {
 namespace {
 
-constexpr std::string_view part_key = "part";
-constexpr std::string_view recipe_key = "recipe_sha256";
+constexpr const char* part_key = "part";
+constexpr const char* recipe_key = "recipe_sha256";
 
-/// A table in CSV, line by line.
-struct Lines {
-    std::vector<std::string> head; ///< the notes before the rows
-    std::string columns;
-    std::vector<std::string> rows;
+/// Returns the fact of the head; empty if it is not stated.
+std::string stated(const io::Csv& table, const std::string& key) {
+    const auto found = std::ranges::find_if(
+        table.notes, [&](const std::string& note) { return note.starts_with(key + ": "); });
+    return found == table.notes.end() ? "" : found->substr(key.size() + 2);
+}
 
-    explicit Lines(std::istream&& in) {
-        for (std::string line; std::getline(in, line);) {
-            if (columns.empty() && line.starts_with("#")) {
-                head.push_back(line);
-            } else if (columns.empty()) {
-                columns = line;
-            } else {
-                rows.push_back(line);
-            }
-        }
-    }
-    [[nodiscard]] std::string fact(std::string_view key) const {
-        const std::string begin = "# " + std::string(key) + ": ";
-        const auto found =
-            std::ranges::find_if(head, [&](const std::string& s) { return s.starts_with(begin); });
-        return found == head.end() ? "" : found->substr(begin.size());
-    }
-    [[nodiscard]] std::string checksum() const {
-        std::uint64_t hash = io::fnv1a(columns + "\n");
-        for (const std::string& row : rows) {
-            hash = io::fnv1a(row + "\n", hash);
-        }
-        return checksum_text(hash);
-    }
-    [[nodiscard]] bool whole() const {
-        return fact("rows") == std::to_string(rows.size()) && fact(checksum_key) == checksum();
-    }
-};
+/// True if the head states these facts.
+bool states(const io::Csv& table, const std::vector<Fact>& facts) {
+    return std::ranges::all_of(
+        facts, [&](const Fact& fact) { return stated(table, fact.key) == fact.value; });
+}
 
 std::optional<std::pair<std::size_t, std::size_t>> numbers_of(std::string_view text) {
     std::size_t number = 0;
@@ -82,8 +60,8 @@ PartOfTable part_named(const std::string& text, const std::filesystem::path& rec
 }
 
 std::vector<Fact> facts_of(const PartOfTable& part) {
-    return {{std::string(part_key), std::to_string(part.number) + "/" + std::to_string(part.of)},
-            {std::string(recipe_key), part.recipe_sha256}};
+    return {{part_key, std::to_string(part.number) + "/" + std::to_string(part.of)},
+            {recipe_key, part.recipe_sha256}};
 }
 
 bool is_complete_part(const std::filesystem::path& file, const PartOfTable& part) {
@@ -91,78 +69,74 @@ bool is_complete_part(const std::filesystem::path& file, const PartOfTable& part
     if (!std::filesystem::is_regular_file(file, none)) {
         return false;
     }
-    const Lines lines(std::ifstream{file}); // no input: it may be replaced
-    return lines.whole() && lines.fact("program") == program_line() &&
-           std::ranges::all_of(facts_of(part), [&](const Fact& fact) {
-               return lines.fact(fact.key) == fact.value;
-           });
+    std::vector<Fact> facts = facts_of(part);
+    facts.push_back({"program", program_line()});
+    std::ifstream in(file, std::ios::binary); // no input: it may be replaced
+    try {
+        const io::Csv table = io::parse_csv(std::string(std::istreambuf_iterator<char>(in), {}),
+                                            file.string(), {.keep_faults = true});
+        return states(table, facts_of_rows(table)) && states(table, facts);
+    } catch (const InputError&) { // it is no table
+        return false;
+    }
 }
 
 std::string merged_parts(const std::vector<std::string>& files) {
-    std::map<std::size_t, Lines> parts;
+    std::map<std::size_t, io::Csv> parts;
     std::size_t of = 0;
     const auto refuse = [](const std::string& file, const std::string& problem) {
         throw InputError(problem, "make the part again by edgeproof table RECIPE --part K/N")
             .at(file, 1);
     };
     for (const std::string& file : files) {
-        Lines lines(std::istringstream{io::read_text(file, "part of a table (CSV)")});
-        const auto numbers = numbers_of(lines.fact(part_key));
+        io::Csv table = io::parse_csv(io::read_text(file, "part of a table (CSV)"), file);
+        const auto numbers = numbers_of(stated(table, part_key));
         if (!numbers) {
             refuse(file, "this is no part of a table: its head has no line '# part: K/N'");
         }
-        if (!lines.whole()) {
+        if (!states(table, facts_of_rows(table))) {
             refuse(file, "rows are missing or have changed: the checksum is not that of the head");
         }
         of = parts.empty() ? numbers->second : of;
-        const auto same = [&](std::string_view key) {
-            return parts.empty() || lines.fact(key) == parts.begin()->second.fact(key);
-        };
+        const io::Csv& first = parts.empty() ? table : parts.begin()->second;
+        const auto same = [&](const char* key) { return stated(table, key) == stated(first, key); };
         if (numbers->second != of || !same(recipe_key) || !same("program") || !same("digits") ||
-            !same("rounding") ||
-            (!parts.empty() && lines.columns != parts.begin()->second.columns)) {
+            !same("rounding") || table.header.cells != first.header.cells) {
             refuse(file, "this is a part of another table than " + files.front());
         }
-        if (!parts.emplace(numbers->first, std::move(lines)).second) {
+        if (!parts.emplace(numbers->first, std::move(table)).second) {
             refuse(file, "part " + std::to_string(numbers->first) + " is given twice");
         }
     }
+    io::Csv whole = parts.begin()->second;
+    whole.rows.clear();
     std::size_t count = 0;
-    std::size_t estimates = 0;
     for (std::size_t k = 1; k <= of; ++k) {
-        const auto found = parts.find(k);
-        if (found == parts.end()) {
+        if (!parts.contains(k)) {
             refuse(files.front(),
                    "part " + std::to_string(k) + " of " + std::to_string(of) + " is not given");
         }
-        count += found->second.rows.size();
-        estimates += static_cast<std::size_t>(std::stoull(found->second.fact("estimates")));
+        count += parts.at(k).rows.size();
     }
-    Lines whole = parts.begin()->second;
-    whole.rows.clear();
     for (std::size_t i = 0; i < count; ++i) {
-        const std::vector<std::string>& rows = parts.at(i % of + 1).rows;
+        const std::vector<io::Csv::Row>& rows = parts.at(i % of + 1).rows;
         if (i / of >= rows.size()) {
             refuse(files.front(), "the parts have not the numbers of rows of one table");
         }
         whole.rows.push_back(rows[i / of]);
     }
-    const std::map<std::string, std::string> changed{{"rows", std::to_string(count)},
-                                                     {"estimates", std::to_string(estimates)},
-                                                     {std::string(checksum_key), whole.checksum()}};
     std::string text;
-    for (const std::string& line : whole.head) {
-        const std::string key =
-            line.substr(2, line.find(':') - std::min<std::size_t>(2, line.find(':')));
-        if (key == part_key || key == recipe_key) {
-            continue;
+    const std::vector<Fact> facts = facts_of_rows(whole);
+    for (const std::string& note : whole.notes) {
+        const std::string key = note.substr(0, note.find(": "));
+        const auto changed = std::ranges::find(facts, key, &Fact::key);
+        if (key != part_key && key != recipe_key) {
+            text += "# " + (changed == facts.end() ? note : key + ": " + changed->value) + "\n";
         }
-        const auto found = changed.find(key);
-        text += (found == changed.end() ? line : "# " + key + ": " + found->second) + "\n";
     }
-    text += whole.columns + "\n";
-    for (const std::string& row : whole.rows) {
-        text += row + "\n";
+    text += csv_line(whole.header.cells);
+    for (const io::Csv::Row& row : whole.rows) {
+        text += csv_line(row.cells);
     }
     return text;
 }

@@ -3,7 +3,7 @@
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/precision/error.hpp"
 
-#include <boost/locale/utf.hpp>
+#include <boost/locale/encoding_utf.hpp>
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,6 @@
 #include <bit>
 #include <fstream>
 #include <iostream>
-#include <iterator>
-#include <optional>
 #include <typeinfo>
 #include <utility>
 
@@ -23,35 +21,7 @@ namespace {
 constexpr std::string_view little_endian_mark = "\xFF\xFE";
 constexpr std::string_view big_endian_mark = "\xFE\xFF";
 
-namespace utf = boost::locale::utf;
-
-void append_utf8(std::string& out, utf::code_point c) {
-    utf::utf_traits<char>::encode(c, std::back_inserter(out));
-}
-
-bool is_valid(utf::code_point c) { return c != utf::illegal && c != utf::incomplete; }
-
-/// Returns nothing if the text ends within a character, or contains half of a pair.
-std::optional<std::string> utf8_from_utf16(std::string_view text) {
-    if (text.size() % 2 != 0) {
-        return {};
-    }
-    const std::size_t high = text.starts_with(big_endian_mark) ? 0 : 1;
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    std::u16string units;
-    for (std::size_t at = 2; at < text.size(); at += 2) {
-        units += static_cast<char16_t>(byte(at + high) << 8 | byte(at + 1 - high));
-    }
-    std::string out;
-    for (auto at = units.cbegin(); at != units.cend();) {
-        const utf::code_point c = utf::utf_traits<char16_t>::decode(at, units.cend());
-        if (!is_valid(c)) {
-            return {};
-        }
-        append_utf8(out, c);
-    }
-    return out;
-}
+namespace conv = boost::locale::conv;
 
 } // namespace
 
@@ -146,17 +116,27 @@ std::string utf8_text(std::string text, const std::string& file) {
     if (!is_utf16(text)) {
         return text;
     }
-    auto converted = utf8_from_utf16(text);
-    if (!converted) {
-        throw InputError("the file is in UTF-16 with an incomplete character", "save it in UTF-8")
-            .at(file, 0);
+    const std::size_t high = text.starts_with(big_endian_mark) ? 0 : 1;
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    std::u16string units;
+    for (std::size_t at = 2; at + 1 < text.size(); at += 2) {
+        units += static_cast<char16_t>(byte(at + high) << 8 | byte(at + 1 - high));
     }
-    return std::move(*converted);
+    try {
+        if (text.size() % 2 == 0) {
+            return conv::utf_to_utf<char>(units, conv::stop);
+        }
+    } catch (const conv::conversion_error&) { // half of a pair
+    }
+    throw InputError("the file is in UTF-16 with an incomplete character", "save it in UTF-8")
+        .at(file, 0);
 }
 
 bool is_utf8(std::string_view text) {
+    namespace utf = boost::locale::utf;
     for (auto at = text.begin(); at != text.end();) {
-        if (!is_valid(utf::utf_traits<char>::decode(at, text.end()))) {
+        const utf::code_point c = utf::utf_traits<char>::decode(at, text.end());
+        if (c == utf::illegal || c == utf::incomplete) {
             return false;
         }
     }
@@ -164,11 +144,11 @@ bool is_utf8(std::string_view text) {
 }
 
 std::string utf8_from_latin1(std::string_view text) {
-    std::string out;
+    std::u32string letters;
     for (const char c : text) {
-        append_utf8(out, static_cast<unsigned char>(c));
+        letters += static_cast<unsigned char>(c);
     }
-    return out;
+    return conv::utf_to_utf<char>(letters);
 }
 
 std::uint64_t fnv1a(std::string_view text, std::uint64_t before) {

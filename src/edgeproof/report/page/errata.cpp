@@ -8,6 +8,7 @@
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/trim.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -98,45 +99,40 @@ std::string errata_count(const std::vector<Erratum>& errata) {
     const auto count = [&](Weight weight) {
         return static_cast<std::size_t>(std::ranges::count(errata, weight, &Erratum::weight));
     };
-    const std::size_t conclusions = count(Weight::conclusion);
-    const std::size_t figures = count(Weight::figure);
-    const std::size_t carried = count(Weight::carried);
-    const std::size_t slips = count(Weight::slip);
-    const std::size_t lines = count(Weight::line);
+    const auto counted = [](std::size_t n, const char* one, const char* many) {
+        return fmt::format("{} {}", n, n == 1 ? one : many);
+    };
     if (errata.empty()) {
         return "No error was found.";
     }
-    std::string out =
-        fmt::format("{} error{} found.", errata.size(), errata.size() == 1 ? "" : "s");
-    if (lines == errata.size()) {
-        return out;
-    }
+    const std::string all = counted(errata.size(), "error found.", "errors found.");
+    const std::size_t slips = count(Weight::slip);
+    const std::size_t lines = count(Weight::line);
     const std::size_t known = errata.size() - slips - lines;
-    out += known == 0 ? "" : fmt::format(" {} matter{}", known, known == 1 ? "s" : "");
-    std::string parts;
-    const auto part = [&](std::size_t n, const char* words) {
-        if (n > 0) {
-            parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", n, words);
+    std::vector<std::string> known_parts;
+    const auto part = [&](Weight weight, const char* one, const char* many) {
+        if (const std::size_t n = count(weight); n > 0) {
+            known_parts.push_back(counted(n, one, many));
         }
     };
-    part(conclusions, conclusions == 1 ? "changes a conclusion" : "change a conclusion");
-    part(figures,
-         figures == 1 ? "changes a figure that is quoted" : "change a figure that is quoted");
-    part(carried, carried == 1 ? "is a line on which a wrong conclusion rests"
-                               : "are lines on which a wrong conclusion rests");
-    out += parts.empty() ? "" : " (" + parts + ")";
-    const char* between = known == 0 ? " " : "; ";
+    part(Weight::conclusion, "changes a conclusion", "change a conclusion");
+    part(Weight::figure, "changes a figure that is quoted", "change a figure that is quoted");
+    part(Weight::carried, "is a line on which a wrong conclusion rests",
+         "are lines on which a wrong conclusion rests");
+    std::vector<std::string> parts;
+    if (known > 0) {
+        parts.push_back(fmt::format("{} ({})", counted(known, "matters", "matter"),
+                                    fmt::join(known_parts, ", ")));
+    }
     if (slips > 0) {
-        out +=
-            fmt::format("{}{} {}", between, slips, slips == 1 ? "is a misprint" : "are misprints");
-        between = "; ";
+        parts.push_back(counted(slips, "is a misprint", "are misprints"));
     }
     if (lines > 0) {
-        out += fmt::format("{}what rests on {} is not stated", between,
-                           lines == 1 ? "the other formula"
-                                      : fmt::format("the other {} formulas", lines));
+        parts.push_back(fmt::format("what rests on {} is not stated",
+                                    lines == 1 ? "the other formula"
+                                               : fmt::format("the other {} formulas", lines)));
     }
-    return out + ".";
+    return lines == errata.size() ? all : fmt::format("{} {}.", all, fmt::join(parts, "; "));
 }
 
 std::string place_words(const audit::Claim& claim, const audit::PrintedSource& source) {

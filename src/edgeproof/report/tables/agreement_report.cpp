@@ -130,45 +130,39 @@ std::vector<conformance::Convention> most_likely_first(const Conformance& c) {
     return by_rows;
 }
 
-/// The answers of one regime.
-struct Tally {
-    std::size_t rows = 0;
-    std::size_t failed = 0;
-    std::size_t explained = 0; ///< below the target, but explained by the conditioning
-    /// Of the answers that are numbers: the worst one, and their digits in tenths, as shown.
-    std::optional<std::size_t> worst;
-    std::vector<long> tenths;
-};
-
 std::string regimes_text(const Conformance& c) {
     const auto& cases = c.agreements.cases;
-    std::map<conformance::Regime, Tally> tallies;
+    std::map<conformance::Regime, std::vector<std::size_t>> regimes;
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        const conformance::CaseAgreement& held = cases[i];
-        Tally& t = tallies[held.regime];
-        ++t.rows;
-        t.failed += c.failed(i) ? 1 : 0;
-        if (c.answers.given[i].state == conformance::Answer::State::number &&
-            held.no_reference.empty()) {
-            t.tenths.push_back(tenths_of(held.digits));
-            t.explained += held.explained && !held.within ? 1 : 0;
-            t.worst = !t.worst || held.digits < cases[*t.worst].digits ? i : t.worst;
-        }
+        regimes[cases[i].regime].push_back(i);
     }
     const unsigned most = c.agreements.digits;
     std::string out =
         fmt::format("{:<12}{:>7}{:>8}{:>11}{:>9}{:>8}{:>11}{:>9}  {}\n", "regime", "rows", "failed",
                     "explained", "median", "worst", "ulps", "cond", "worst case");
-    for (const auto& [regime, t] : tallies) {
-        out += fmt::format("{:<12}{:>7}{:>8}{:>11}", regime_name(regime), t.rows, t.failed,
-                           t.explained);
-        if (t.worst) {
-            const conformance::CaseAgreement& worst = cases[*t.worst];
+    for (const auto& [regime, rows] : regimes) {
+        std::size_t failed = 0;
+        std::size_t explained = 0; // below the target, but by the conditioning
+        std::vector<long> tenths;  // the digits of the answers that are numbers, as shown
+        std::optional<std::size_t> worst;
+        for (const std::size_t i : rows) {
+            failed += c.failed(i) ? 1 : 0;
+            if (c.answers.given[i].state == conformance::Answer::State::number &&
+                cases[i].no_reference.empty()) {
+                tenths.push_back(tenths_of(cases[i].digits));
+                explained += cases[i].explained && !cases[i].within ? 1 : 0;
+                worst = !worst || cases[i].digits < cases[*worst].digits ? i : worst;
+            }
+        }
+        out += fmt::format("{:<12}{:>7}{:>8}{:>11}", regime_name(regime), rows.size(), failed,
+                           explained);
+        if (worst) {
+            const conformance::CaseAgreement& held = cases[*worst];
             out += fmt::format(
-                "{:>9}{:>8}{:>11}{:>9}  {}", tenths_text(median_of(t.tenths), most),
-                digits_text(worst.digits, most), ulps_text(worst.ulps),
-                worst.conditioning ? fmt::format("{:.2g}", worst.conditioning->number()) : "-",
-                printable(c.answers.questions.list[*t.worst].id));
+                "{:>9}{:>8}{:>11}{:>9}  {}", tenths_text(median_of(tenths), most),
+                digits_text(held.digits, most), ulps_text(held.ulps),
+                held.conditioning ? fmt::format("{:.2g}", held.conditioning->number()) : "-",
+                printable(c.answers.questions.list[*worst].id));
         }
         out += "\n";
     }

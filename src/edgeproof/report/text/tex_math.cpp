@@ -51,7 +51,7 @@ public:
         }
         std::erase_if(lines,
                       [](const MathNode& n) { return n.tag == "mrow" && n.children.empty(); });
-        return lines.size() > 1 ? table(std::move(lines), "left") : math_row(std::move(lines));
+        return lines.size() > 1 ? table(std::move(lines)) : math_row(std::move(lines));
     }
 
 private:
@@ -62,8 +62,8 @@ private:
                peek() == "\\end";
     }
 
-    static MathNode table(Nodes rows, const std::string& align) {
-        MathNode out{"mtable", {}, {}, " columnalign=\"" + align + "\""};
+    static MathNode table(Nodes rows) {
+        MathNode out{"mtable", {}, {}, " columnalign=\"left\""};
         for (MathNode& line : rows) {
             out.children.push_back(
                 math_element_of("mtr", {math_element_of("mtd", {std::move(line)})}));
@@ -188,12 +188,11 @@ private:
         if (name != "cases") {
             return math_row({});
         }
-        MathNode rows{"mtable", {}, {}, " columnalign=\"left\""};
+        Nodes lines;
         while (!at_end() && peek() != "\\end") {
             MathNode line = math_row(list());
             if (!line.children.empty() || !line.text.empty()) {
-                rows.children.push_back(
-                    math_element_of("mtr", {math_element_of("mtd", {std::move(line)})}));
+                lines.push_back(std::move(line));
             }
             if (!at_end() && peek() != "\\end") {
                 ++at_;
@@ -204,7 +203,7 @@ private:
             ++at_;
             words();
         }
-        return {"mrow", {}, {math_leaf("mo", "{", " stretchy=\"true\""), std::move(rows)}};
+        return {"mrow", {}, {math_leaf("mo", "{", " stretchy=\"true\""), table(std::move(lines))}};
     }
     /// Skips [2mm] after \\.
     void skip_option() {

@@ -55,11 +55,6 @@ auto with_callback(Result (*function)(const Progress&, Arguments...)) {
         });
     };
 }
-template <class Result, class... Arguments> auto apart(Result (*function)(Arguments...)) {
-    return [function](Arguments... arguments) {
-        return without_gil([&] { return function(arguments...); });
-    };
-}
 
 } // namespace
 

@@ -82,34 +82,12 @@ py::dict stresses(const Scene& self, bool body_B, const Doubles& x, const Double
 
 void bind_scene(py::module_& module) {
     py::class_<Scene> native(module, "NativeScene");
-    native
-        .def_static(
-            "from_text",
-            [](const std::string& text, const std::string& file) {
-                return without_gil([&] { return Scene::from_text(text, file); });
-            },
-            "text"_a, "file"_a)
-        .def_static(
-            "from_keys",
-            [](const std::vector<std::pair<std::string, Keys>>& sections,
-               const std::string& title) {
-                return without_gil([&] { return Scene::from_keys(sections, title); });
-            },
-            "sections"_a, "title"_a)
+    native.def_static("from_text", apart(&Scene::from_text), "text"_a, "file"_a)
+        .def_static("from_keys", apart(&Scene::from_keys), "sections"_a, "title"_a)
         .def_property_readonly("text", &Scene::text)
         .def("facts", &Scene::facts)
-        .def(
-            "run",
-            [](const Scene& self, const Keys& asked) {
-                return without_gil([&] { return self.run(asked); });
-            },
-            "asked"_a)
-        .def(
-            "pictures",
-            [](const Scene& self, const Keys& asked) {
-                return without_gil([&] { return self.pictures(asked); });
-            },
-            "asked"_a)
+        .def("run", apart(&Scene::run), "asked"_a)
+        .def("pictures", apart(&Scene::pictures), "asked"_a)
         .def("binary64", &binary64, "quantity"_a, "terms"_a, "edge"_a, "by_x"_a, "places"_a)
         .def("stresses", &stresses, "body_B"_a, "x"_a, "z"_a, "mises"_a);
     refuse_new(native);

@@ -63,6 +63,19 @@ template <class F> auto without_gil(const F& f, Callback* progress = nullptr) {
     }
 }
 
+/// Returns a function, or a member function, that runs without the GIL.
+template <class Result, class... Arguments> auto apart(Result (*function)(Arguments...)) {
+    return [function](Arguments... arguments) {
+        return without_gil([&] { return function(arguments...); });
+    };
+}
+template <class Result, class T, class... Arguments>
+auto apart(Result (T::*function)(Arguments...) const) {
+    return [function](const T& self, Arguments... arguments) {
+        return without_gil([&] { return (self.*function)(arguments...); });
+    };
+}
+
 /// Runs f(progress) like without_gil(f). `progress` calls the function, and throws its exception.
 template <class F> auto with_progress(pybind11::object callback, const F& f) {
     Callback progress(std::move(callback));

@@ -3,5 +3,5 @@
 #include "lab/cost/command.hpp"
 
 int main(int argc, char** argv) {
-    return edgeproof::cli::run_edgeproof(argc, argv, edgeproof::cli::add_cost);
+    return edgeproof::cli::run_edgeproof(argc, argv, edgeproof::cli::cost);
 }

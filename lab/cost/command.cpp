@@ -16,18 +16,12 @@ namespace {
 constexpr std::size_t most_digits_of_a_cost = 100'000;
 constexpr std::size_t most_points = 100'000;
 
-struct CostArguments {
-    std::vector<std::string> scenes;
-    std::string digits = "16,34,50,100,200,500,1000";
-    std::string points;
-    std::string out;
-};
-
-std::vector<cost::CostCase> cases_of(const CostArguments& a) {
+std::vector<cost::CostCase> cases_of(const Options& o) {
+    const std::vector<std::string>& scenes = o.list("scenes");
     std::vector<cost::CostCase> cases =
-        a.scenes.empty() ? cost::usual_cases() : std::vector<cost::CostCase>{};
+        scenes.empty() ? cost::usual_cases() : std::vector<cost::CostCase>{};
     std::set<std::string> names;
-    for (const std::string& file : a.scenes) {
+    for (const std::string& file : scenes) {
         cost::CostCase asked =
             cost::case_of(scene::read_scene(file_or_shipped(file, shipped_scenes)));
         const std::string name = asked.name;
@@ -39,18 +33,19 @@ std::vector<cost::CostCase> cases_of(const CostArguments& a) {
     return cases;
 }
 
-cost::CostReport measured(const CostArguments& a) {
+cost::CostReport measured(const Options& o) {
     cost::CostReport report;
     std::vector<std::size_t> list;
-    for (const std::string& digits : parts_of(a.digits)) {
+    for (const std::string& digits : parts_of(o["--digits"])) {
         list.push_back(whole_number("--digits", digits, 2, most_digits_of_a_cost));
     }
     const std::set<unsigned> digits(list.begin(), list.end());
     cost::CostOptions options;
     options.digits.assign(digits.begin(), digits.end());
-    options.points = a.points.empty() ? 0 : whole_number("--points", a.points, 1, most_points);
-    const std::vector<cost::CostCase> cases = cases_of(a);
-    if (a.scenes.empty()) {
+    options.points =
+        o["--points"].empty() ? 0 : whole_number("--points", o["--points"], 1, most_points);
+    const std::vector<cost::CostCase> cases = cases_of(o);
+    if (o.list("scenes").empty()) {
         report.effects = with_progress("effects", options.progress, [&] {
             return cost::effect_costs(cost::effect_digits, true, options.progress);
         });
@@ -69,30 +64,23 @@ std::string aligned_text(const report::Table& table) {
     return text + "\n" + report::aligned_lines(table, 0, true);
 }
 
-int cost(const CostArguments& a) {
-    if (!a.out.empty()) {
-        io::check_folder(a.out); // fails before minutes of work, not after them
+} // namespace
+
+int cost(Options& o) {
+    if (!o["--out"].empty()) {
+        io::check_folder(o["--out"]); // fails before minutes of work, not after them
     }
-    const cost::CostReport report = measured(a);
-    if (!a.out.empty()) {
-        io::write_folder(
-            a.out, [&](const std::filesystem::path& folder) { write_cost_page(report, folder); });
+    const cost::CostReport report = measured(o);
+    if (!o["--out"].empty()) {
+        io::write_folder(o["--out"], [&](const std::filesystem::path& folder) {
+            write_cost_page(report, folder);
+        });
     }
     for (const report::Table& table : cost_tables(report)) {
         std::printf("%s\n", aligned_text(table).c_str());
     }
     std::printf("%s; %s\n", report::program_line().c_str(), cost::machine().c_str());
     return 0;
-}
-
-} // namespace
-
-void add_cost(CLI::App& app, int& code) {
-    auto [sub, a] = add_command<CostArguments>(app, code, cost_name, cost);
-    option(sub, "scenes", a.scenes);
-    option(sub, "--digits", a.digits);
-    option(sub, "--points", a.points);
-    option(sub, "--out,--out-dir", a.out);
 }
 
 } // namespace edgeproof::cli

@@ -1,80 +1,91 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-/// The program's subcommands, one file each. Every add_... function adds its command to the command
-/// line; the command that is run writes its exit status to `code`: 0 good, 1 differs or fails the
-/// target, 2 bad input. An interruption (130, 143) is thrown (below).
+/// The program and its commands, one function each.
 #include <CLI/CLI.hpp>
 
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <initializer_list>
-#include <memory>
+#include <map>
 #include <mutex>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace edgeproof::cli {
 
-using AddCommand = void(CLI::App& app, int& code);
-AddCommand add_sets, add_plot, add_relations, add_design, add_table, add_points, add_check,
-    add_compare, add_verify;
+/// The options of a command and their values, by the first of their names ("scene", "--out").
+struct Options {
+    struct Value {
+        std::string text;              ///< as given, else the default
+        std::vector<std::string> list; ///< of an option with several values
+        bool flag = false;
+    };
+    std::map<std::string, Value, std::less<>> values;
+    mutable std::string as_file; ///< the file equivalent to a scene given by words
+
+    /// Empty for an option that the command does not have.
+    [[nodiscard]] const Value& value(std::string_view name) const;
+    [[nodiscard]] const std::string& operator[](std::string_view name) const {
+        return value(name).text;
+    }
+    [[nodiscard]] std::string& operator[](const std::string& name) { return values[name].text; }
+    [[nodiscard]] const std::vector<std::string>& list(std::string_view name) const {
+        return value(name).list;
+    }
+    [[nodiscard]] bool has(std::string_view flag) const { return value(flag).flag; }
+};
+
+/// A subcommand, and the function that runs it. It returns the exit status: 0 good, 1 differs or
+/// fails the target, 2 bad input. An interruption (130, 143) is thrown (below).
+struct Command {
+    const char* name;
+    int (*run)(Options&); ///< null: this program only has the name
+};
+
+int pressure(Options& options);
+int expand(Options& options);
+int extent(Options& options);
+int slip(Options& options);
+int stress(Options& options);
+int displacement(Options& options);
+int plot(Options& options);
+int relations(Options& options);
+int design(Options& options);
+int table(Options& options);
+int points(Options& options);
+int check(Options& options);
+int compare(Options& options);
+int verify(Options& options);
+
+/// The commands for one scene.
+inline constexpr Command scene_commands[] = {{"pressure", pressure}, {"expand", expand},
+                                             {"extent", extent},     {"slip", slip},
+                                             {"stress", stress},     {"displacement", displacement},
+                                             {"plot", plot}};
 
 /// The command of lab. The program edgeproof has only its name and starts edgeproof-lab, so that
 /// the build of the program does not wait for lab.
 inline constexpr const char* cost_name = "cost";
 
-/// Runs the program with all its commands and returns its exit status. `add_cost` null: `cost` is
+/// Runs the program with all its commands and returns its exit status. `cost` null: `cost` is
 /// started as the program edgeproof-lab.
-[[nodiscard]] int run_edgeproof(int argc, char** argv, AddCommand* add_cost);
+[[nodiscard]] int run_edgeproof(int argc, char** argv, int (*cost)(Options&));
 
 /// The program with these subcommands: reads the command line, runs the command that it names, and
 /// prints the error, if there is one. Returns the exit status.
-[[nodiscard]] int run_program(int argc, char** argv, std::initializer_list<AddCommand*> commands);
+[[nodiscard]] int run_program(int argc, char** argv, const std::vector<Command>& commands);
 
-/// A subcommand and the values of its options, which live as long as the command line.
-template <class Options> struct Command {
-    CLI::App& sub;
-    Options& options;
-};
-
-/// share/edgeproof/commands.txt when the program was built: the help of commands and options.
+/// share/edgeproof/commands.txt when the program was built: the commands, their options and help.
 extern const std::string_view commands_txt;
-/// Adds a subcommand with its help, its group and its example.
-[[nodiscard]] CLI::App* add_subcommand(CLI::App& app, const std::string& name);
-/// Gives an option of a subcommand its help, and shows its default or its values if the help says
-/// so.
-void describe(const CLI::App& sub, CLI::Option& option, const std::string& names);
-
-/// Adds an option, or a flag if its value is a bool, with its help.
-template <class T> CLI::Option* option(CLI::App& sub, const std::string& names, T& value) {
-    CLI::Option* added = nullptr;
-    if constexpr (std::is_same_v<T, bool>) {
-        added = sub.add_flag(names, value);
-    } else {
-        added = sub.add_option(names, value);
-    }
-    describe(sub, *added, names);
-    return added;
-}
+/// Adds a subcommand with its options as commands_txt has them. If it is chosen, its exit status is
+/// written to `code`.
+void add_command(CLI::App& app, int& code, const Command& command);
 
 /// Returns the keys of a scene, a recipe or a ledger, by its JSON schema.
 [[nodiscard]] std::string help_of_keys(const std::string& kind);
-
-/// Adds a subcommand. If it is chosen, `run` is called with its options and returns the exit
-/// status, which is written to `code`.
-template <class Options, class Run>
-[[nodiscard]] Command<Options> add_command(CLI::App& app, int& code, const std::string& name,
-                                           Run run) {
-    CLI::App* const sub = add_subcommand(app, name);
-    const auto options = std::make_shared<Options>();
-    sub->callback([options, run, &code] { code = run(*options); });
-    return {*sub, *options};
-}
 
 /// Shows the number of items done, the rate and the time left on stderr, if that is a terminal that
 /// obeys escape sequences and the work takes more than half a second. The line is wiped at the end.

@@ -8,19 +8,25 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <sstream>
 #include <string>
-#include <utility>
+#include <vector>
 
 namespace edgeproof::cli {
 namespace {
 
+struct OptionHelp {
+    std::string names;
+    std::string marks;
+    std::string text;
+};
 struct CommandHelp {
     std::string text;
     std::string group;
     std::string example; ///< its arguments
     std::string footer;
-    std::map<std::string, std::pair<std::string, std::string>> options; ///< marks and help
+    std::vector<OptionHelp> options;
 };
 
 /// Reads share/edgeproof/commands.txt, which describes its format.
@@ -29,15 +35,21 @@ std::map<std::string, CommandHelp> read_help() {
     CommandHelp* now = nullptr;
     std::istringstream lines{std::string(commands_txt)};
     for (std::string line; std::getline(lines, line);) {
-        const std::size_t colon = line.find(": ");
-        if (line.starts_with('#') || colon == std::string::npos) {
+        const std::size_t colon = std::min(line.find(": "), line.size());
+        const std::string key = line.substr(0, colon);
+        std::string text = line.substr(std::min(colon + 2, line.size()));
+        if (line.empty() || line.starts_with('#')) {
             continue;
         }
-        const std::string key = line.substr(0, colon);
-        std::string text = line.substr(colon + 2);
-        if (key.starts_with("  ")) {
-            const std::size_t marks = std::min(key.find(" ("), key.size());
-            now->options[key.substr(2, marks - 2)] = {key.substr(marks), text};
+        if (key.starts_with("  ") && colon < line.size()) {
+            const std::size_t marks = std::min(key.find(" ("), key.size() - 1);
+            now->options.push_back({std::string(io::trimmed(key.substr(2, marks - 1))),
+                                    std::string(io::trimmed(key.substr(marks + 1), "()")), text});
+        } else if (key.starts_with("  ")) {
+            for (const std::string_view name : io::split_words(line)) {
+                now->options.push_back(
+                    *std::ranges::find(all["any"].options, name, &OptionHelp::names));
+            }
         } else if (key == "group" || key == "example") {
             (key == "group" ? now->group : now->example) = text;
         } else if (key == "footer") {
@@ -51,9 +63,31 @@ std::map<std::string, CommandHelp> read_help() {
     return all;
 }
 
-const CommandHelp& help_of(const std::string& command) {
-    static const std::map<std::string, CommandHelp> all = read_help();
-    return all.at(command);
+void add_option(CLI::App& sub, const OptionHelp& of, Options::Value& value) {
+    const std::vector<std::string_view> marks = io::split_words(of.marks);
+    const auto has = [&](std::string_view mark) {
+        return std::ranges::find(marks, mark) != marks.end();
+    };
+    CLI::Option* const option = has("?")                 ? sub.add_flag(of.names, value.flag)
+                                : has("...") || has("+") ? sub.add_option(of.names, value.list)
+                                                         : sub.add_option(of.names, value.text);
+    option->description(of.text)->required(has("!"));
+    if (has("+")) {
+        option->allow_extra_args(false);
+    }
+    if (has("-")) {
+        option->group("");
+    }
+    for (const std::string_view mark : marks) {
+        if (mark.front() == '=' || mark.front() == '~') {
+            value.text = mark.substr(1);
+        } else if (mark.size() > 1 && mark != "...") {
+            option->type_name(std::string(mark));
+        }
+    }
+    if (of.marks.find('=') != std::string::npos) {
+        option->capture_default_str();
+    }
 }
 
 using nlohmann::json;
@@ -98,29 +132,28 @@ void add_keys(std::string& text, const json& all, const json& object, const std:
 
 } // namespace
 
-CLI::App* add_subcommand(CLI::App& app, const std::string& name) {
-    const CommandHelp& help = help_of(name);
-    CLI::App* const sub = app.add_subcommand(name, help.text);
-    sub->group(help.group);
-    const std::string footer = help.footer.empty() ? sub->get_footer() : help.footer;
-    sub->footer(help.example.empty() ? footer
-                                     : footer + (footer.empty() ? "" : "\n") +
-                                           "Example: edgeproof " + name + " " + help.example);
-    return sub;
+const Options::Value& Options::value(std::string_view name) const {
+    static const Value none;
+    const auto found = values.find(name);
+    return found == values.end() ? none : found->second;
 }
 
-void describe(const CLI::App& sub, CLI::Option& option, const std::string& names) {
-    const auto& own = help_of(sub.get_name()).options;
-    const auto found = own.find(names);
-    const auto& [marks, text] =
-        found == own.end() ? help_of("any").options.at(names) : found->second;
-    option.description(text);
-    if (marks.find('=') != std::string::npos) {
-        option.capture_default_str();
+void add_command(CLI::App& app, int& code, const Command& command) {
+    static const std::map<std::string, CommandHelp> all = read_help();
+    const CommandHelp& help = all.at(command.name);
+    CLI::App* const sub = app.add_subcommand(command.name, help.text);
+    sub->group(help.group);
+    const std::string footer = help.footer.empty() ? sub->get_footer() : help.footer;
+    sub->footer(help.example.empty()
+                    ? footer
+                    : footer + (footer.empty() ? "" : "\n") + "Example: edgeproof " + command.name +
+                          " " + help.example);
+    const auto options = std::make_shared<Options>();
+    for (const OptionHelp& of : help.options) {
+        add_option(*sub, of, options->values[of.names.substr(0, of.names.find(','))]);
     }
-    option.required(marks.find('!') != std::string::npos);
-    if (const std::size_t type = marks.find_first_not_of(" (=!)"); type != std::string::npos) {
-        option.type_name(marks.substr(type, marks.size() - 1 - type));
+    if (command.run != nullptr) {
+        sub->callback([options, run = command.run, &code] { code = run(*options); });
     }
 }
 

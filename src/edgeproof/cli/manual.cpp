@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
-#include "edgeproof/cli/scene_options.hpp"
+#include "edgeproof/cli/scene_command.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/cli.hpp"
-#include "edgeproof/cli/scene_options.hpp"
+#include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/report/report.hpp"
 
 #include <unistd.h>
@@ -10,6 +10,7 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <iterator>
 #include <new>
 #include <string>
 #include <string_view>
@@ -35,7 +36,7 @@ void run_command(CLI::App& app, const std::vector<std::string>& words) {
 }
 } // namespace
 
-int run_program(int argc, char** argv, std::initializer_list<AddCommand*> commands) {
+int run_program(int argc, char** argv, const std::vector<Command>& commands) {
     int code = 0;
     io::protect_inputs();
     CLI::App app{
@@ -48,8 +49,8 @@ int run_program(int argc, char** argv, std::initializer_list<AddCommand*> comman
         "ledger the keys of such a file.\n"
         "Exit status: 0 done, and nothing differs or fails; 1 something does; 2 the input was "
         "bad; 130, 143 interrupted (SIGINT, SIGTERM)");
-    for (AddCommand* const add : commands) {
-        add(app, code);
+    for (const Command& command : commands) {
+        add_command(app, code, command);
     }
     std::vector<std::string> words(argv, argv + argc);
     const auto is = [&](std::size_t i, std::string_view word) {
@@ -115,8 +116,6 @@ int run_program(int argc, char** argv, std::initializer_list<AddCommand*> comman
 
 namespace {
 
-void add_name_of_cost(CLI::App& app, int& /*code*/) { (void)add_subcommand(app, cost_name); }
-
 /// Replaces this process by edgeproof-lab if the command is `cost`, or if the manual of all
 /// commands is to be written. Returns an error message if there is no such program.
 std::string start_lab(int argc, char** argv) {
@@ -133,20 +132,26 @@ std::string start_lab(int argc, char** argv) {
 
 } // namespace
 
-int run_edgeproof(int argc, char** argv, AddCommand* add_cost) {
+int run_edgeproof(int argc, char** argv, int (*cost)(Options&)) {
     open_standard_streams();
     take_aborts();
-    if (add_cost == nullptr) {
+    if (cost == nullptr) {
         if (const std::string problem = start_lab(argc, argv); !problem.empty()) {
             say_at_the_end("edgeproof: " + problem);
             return 2;
         }
     }
     take_signals();
-    return run_program(argc, argv,
-                       {add_sets, add_plot, add_design, add_table, add_points, add_verify,
-                        add_check, add_compare, add_relations,
-                        add_cost == nullptr ? add_name_of_cost : add_cost});
+    std::vector<Command> commands(std::begin(scene_commands), std::end(scene_commands));
+    commands.insert(commands.end(), {{"design", design},
+                                     {"table", table},
+                                     {"points", points},
+                                     {"verify", verify},
+                                     {"check", check},
+                                     {"compare", compare},
+                                     {"relations", relations},
+                                     {cost_name, cost}});
+    return run_program(argc, argv, commands);
 }
 
 } // namespace edgeproof::cli

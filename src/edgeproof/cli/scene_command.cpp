@@ -3,11 +3,27 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
+#include <set>
+#include <utility>
 
 namespace edgeproof::cli {
 namespace {
+
+constexpr std::size_t most_digits_of_a_scene = 100'000;
+
+Rounding rounding_of(const std::string& name) {
+    if (const auto mode = rounding_named(name.empty() ? "nearest" : name)) {
+        return *mode;
+    }
+    throw InputError("--round " + name + " is no way to round", "write nearest, down or up");
+}
 
 /// Returns a unit to a power of n/2: "mm", "mm^2", "mm^(-1/2)".
 std::string power_of(const std::string& unit, int halves) {
@@ -17,6 +33,130 @@ std::string power_of(const std::string& unit, int halves) {
 }
 
 } // namespace
+
+bool is_short(const Options& o) {
+    return o.values.contains("--columns") &&
+           (o["--format"] == "text" ||
+            (o["--format"].empty() && o["--out"].empty() && ::isatty(STDOUT_FILENO) == 1));
+}
+
+report::TableFormat table_format(const Options& o) {
+    return format_of(is_short(o) ? "" : o["--format"]);
+}
+
+std::string word_of(const Options& o, std::string_view key) {
+    return scene::value_of(o.list("scene"), key);
+}
+
+void choose_step(scene::Scene& scene, const std::string& step) {
+    if (step.empty()) {
+        return;
+    }
+    require(!scene.steps.empty(), "--step " + step + ": the scene has no steps",
+            "add [[step]] sections, or leave --step out");
+    set_step(scene, whole_number("--step", step, 1, scene.steps.size()));
+}
+
+void refuse_words(const Options& o, const std::vector<std::string_view>& keys,
+                  const std::string& why) {
+    for (const std::string_view key : keys) {
+        if (const std::string value = word_of(o, key); !value.empty()) {
+            throw InputError(std::string(key) + "=" + value + " has no effect: " + why,
+                             "leave " + std::string(key) + " out");
+        }
+    }
+}
+
+scene::Scene asked_scene(const Options& o) {
+    (void)table_format(o); // checked before any work
+    const Rounding rounding = rounding_of(o["--round"]);
+    const GivenScene given = given_scene(o.list("scene"), shipped_scenes);
+    if (given.file.empty()) {
+        std::vector<std::string> shown = o.list("scene");
+        if (!o["--digits"].empty()) {
+            shown.push_back("digits=" + o["--digits"]);
+        }
+        o.as_file = scene::scene_text(given_scene(shown, shipped_scenes).instead);
+    }
+    scene::Scene scene = given.file.empty() ? scene::parse_scene("", "command line", given.instead)
+                                            : scene::read_scene(given.file, given.instead);
+    choose_step(scene, o["--step"]);
+    if (!o["--digits"].empty()) {
+        scene.ask.digits.count = digits_of(o["--digits"], most_digits_of_a_scene);
+    } else if (is_short(o) && word_of(o, "digits").empty()) {
+        scene.ask.digits.count = digits_of_short_answer;
+    }
+    scene.ask.digits.exact = o.has("--exact");
+    scene.ask.digits.rounding = rounding;
+    scene.ask.digits.binary64 = o.has("--binary64");
+    io::check_output(o["--out"]);
+    return scene;
+}
+
+void ask_at_edges(scene::Scene& scene) {
+    if (!scene.ask.edges_given) {
+        scene.ask.edges = {contact::Edge::right, contact::Edge::left};
+    }
+}
+
+void ask_terms(scene::Scene& scene) {
+    if (scene.ask.terms.empty()) {
+        scene.ask.terms = {1, 2, 3};
+    }
+}
+
+void ask_for(scene::Scene& scene, const Options& o, scene::QuantityGroup own,
+             const std::vector<scene::QuantityGroup>& other_groups) {
+    std::set<scene::QuantityGroup> all{own};
+    std::ranges::copy_if(other_groups, std::inserter(all, all.end()),
+                         [&](scene::QuantityGroup group) { return scene.ask.wants(group); });
+    for (const scene::QuantityGroup group : scene.ask.quantities) {
+        if (!word_of(o, "quantities").empty() && !all.contains(group)) {
+            std::string given = group_name(own);
+            for (const scene::QuantityGroup& other : other_groups) {
+                given += (&other == &other_groups.back() ? " or " : ", ") + group_name(other);
+            }
+            throw InputError("quantities=" + word_of(o, "quantities") +
+                                 ": this command does not give the " + group_name(group),
+                             "write " + given);
+        }
+    }
+    scene.ask.quantities = std::move(all);
+}
+
+std::size_t whole_number(const std::string& option, const std::string& text, std::size_t least,
+                         std::size_t most) {
+    std::size_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    require(error == std::errc{} && stop == end && value >= least && value <= most,
+            option + " " + text + " is out of range",
+            fmt::format("give a whole number from {} to {}", least, most));
+    return value;
+}
+
+unsigned digits_of(const std::string& text, std::size_t most) {
+    return static_cast<unsigned>(whole_number("--digits", text, 2, most));
+}
+
+unsigned threads_of(const std::string& text) {
+    return text.empty() ? 0
+                        : static_cast<unsigned>(whole_number("--threads", text, 0, most_threads));
+}
+
+report::TableFormat format_of(const std::string& name) {
+    const auto format = report::table_format(name.empty() ? "csv" : name);
+    if (!format) {
+        throw InputError("--format " + name + " is no format", "write csv, json, md, tex or text");
+    }
+    return *format;
+}
+
+bool text_or_json(const std::string& format) {
+    require(format.empty() || format == "text" || format == "json",
+            "--format " + format + " is no format", "write text or json");
+    return format == "json";
+}
 
 std::vector<report::Plot> picture_of(const scene::Scene& scene) {
     Progress progress("values");
@@ -123,24 +263,25 @@ report::Column& Row::value(const std::string& name, const std::string& route,
     return column;
 }
 
-void show_as_file(const OutputOptions& o) {
-    if (o.show_scene && !o.as_file.empty()) {
+void show_as_file(const Options& o) {
+    if (o.has("--show-scene") && !o.as_file.empty()) {
         std::fputs(("# the scene that these quantities stand for\n" + o.as_file).c_str(), stderr);
         std::fflush(stderr);
     }
 }
 
-void emit(const report::Table& given, const OutputOptions& o) {
+void emit(const report::Table& given, const Options& o) {
     const report::Table table =
-        o.columns.empty() ? given : with_columns(given, parts_of(o.columns));
-    const bool shown = o.out.empty() || o.out == "-";
+        o["--columns"].empty() ? given : with_columns(given, parts_of(o["--columns"]));
+    const bool shown = o["--out"].empty() || o["--out"] == "-";
     const std::string text =
-        o.is_short() ? short_answer(table, terminal_width()) +
-                           "(more digits: --digits N; all columns: --format csv)\n"
-                     : write_table(table, o.table_format(),
-                                   {.width = shown ? width_to_wrap_at() : 0, .notes = !o.no_notes});
+        is_short(o)
+            ? short_answer(table, terminal_width()) +
+                  "(more digits: --digits N; all columns: --format csv)\n"
+            : write_table(table, table_format(o),
+                          {.width = shown ? width_to_wrap_at() : 0, .notes = !o.has("--no-notes")});
     if (!shown) {
-        io::write_output(o.out, text); // if this fails, its message is the only one
+        io::write_output(o["--out"], text); // if this fails, its message is the only one
     }
     show_as_file(o);
     if (shown) {

@@ -15,26 +15,6 @@ namespace {
 constexpr double most_digits_of_a_check = 10'000;
 constexpr double most_ulps = 1e300;
 
-struct CheckOptions {
-    std::string answers;
-    std::string recipe;
-    std::string command;
-    std::string ledger;
-    std::string only = "*";
-    std::string batch = "500";
-    std::string runs = "200";
-    std::string timeout = "600";
-    std::string digits;
-    std::string ulps;
-    std::string errors = "5";
-    std::string junit;
-    std::string threads;
-    bool conditioned = false;
-    bool json = false;
-    std::string format;
-    std::string out;
-};
-
 double positive(const std::string& option, const std::string& text, double most) {
     double value = 0;
     try {
@@ -48,41 +28,42 @@ double positive(const std::string& option, const std::string& text, double most)
     return value;
 }
 
-conformance::Target target_of(const CheckOptions& o) {
+conformance::Target target_of(const Options& o) {
     conformance::Target target;
-    if (!o.digits.empty()) {
-        target.digits = positive("--digits", o.digits, most_digits_of_a_check);
+    if (!o["--digits"].empty()) {
+        target.digits = positive("--digits", o["--digits"], most_digits_of_a_check);
     }
-    if (!o.ulps.empty()) {
-        target.ulps = positive("--ulps", o.ulps, most_ulps);
+    if (!o["--ulps"].empty()) {
+        target.ulps = positive("--ulps", o["--ulps"], most_ulps);
     }
-    target.conditioned = o.conditioned;
+    target.conditioned = o.has("--conditioned");
     return target;
 }
 
-void refuse_recipe(const CheckOptions& o) {
-    if (o.command.empty() && std::filesystem::path(o.answers).extension() == ".toml") {
+void refuse_recipe(const Options& o) {
+    if (o["--exec"].empty() && std::filesystem::path(o["answers"]).extension() == ".toml") {
         throw InputError(
             "this is a TOML file, not answers (CSV)",
             "add --exec 'COMMAND' to ask a program the questions of a recipe, or give a "
             "ledger with --ledger")
-            .at(o.answers, 0);
+            .at(o["answers"], 0);
     }
 }
 
-void refuse_if_none(bool none, const CheckOptions& o, const std::string& what) {
-    require(!none || o.only == "*", "--only " + o.only + ": no id of " + what + " matches",
+void refuse_if_none(bool none, const Options& o, const std::string& what) {
+    require(!none || o["--only"] == "*",
+            "--only " + o["--only"] + ": no id of " + what + " matches",
             "write the begin of ids and a star, such as 'hertz:*'");
 }
 
 /// Reads the answers whose ids match --only. A note of the number of questions is then left out.
-io::Csv read_answers(const CheckOptions& o) {
-    io::Csv csv = io::parse_csv(io::read_text(o.answers, "file of answers (CSV)"),
-                                io::input_name(o.answers), {.keep_faults = true});
+io::Csv read_answers(const Options& o) {
+    io::Csv csv = io::parse_csv(io::read_text(o["answers"], "file of answers (CSV)"),
+                                io::input_name(o["answers"]), {.keep_faults = true});
     const auto id = csv.column("id");
-    if (o.only != "*" && id) {
+    if (o["--only"] != "*" && id) {
         std::erase_if(csv.rows, [&](const io::Csv::Row& row) {
-            return row.cells.size() > *id && !audit::matches(o.only, row.cells[*id]);
+            return row.cells.size() > *id && !audit::matches(o["--only"], row.cells[*id]);
         });
         refuse_if_none(csv.rows.empty(), o, "an answer");
         csv.notes.clear();
@@ -92,10 +73,11 @@ io::Csv read_answers(const CheckOptions& o) {
 }
 
 /// Reads the questions of a recipe whose ids match --only, rounded to binary64.
-conformance::Questions questions_of(const conformance::Recipe& recipe, const CheckOptions& o) {
+conformance::Questions questions_of(const conformance::Recipe& recipe, const Options& o) {
     conformance::Questions asked = rounded_to_binary64(recipe.questions);
-    std::erase_if(asked.list,
-                  [&](const conformance::Question& q) { return !audit::matches(o.only, q.id); });
+    std::erase_if(asked.list, [&](const conformance::Question& q) {
+        return !audit::matches(o["--only"], q.id);
+    });
     refuse_if_none(asked.list.empty(), o, "a question");
     // A program that knows one profile is not shown the parameters of others.
     std::map<std::size_t, std::size_t> used;
@@ -112,17 +94,17 @@ conformance::Questions questions_of(const conformance::Recipe& recipe, const Che
 }
 
 /// Runs a program. Its answers are never bad input, only wrong.
-conformance::Answers ask_program(const CheckOptions& o) {
-    require(o.recipe.empty(), "--recipe is given with --exec",
+conformance::Answers ask_program(const Options& o) {
+    require(o["--recipe"].empty(), "--recipe is given with --exec",
             "give the recipe alone, as the first");
     conformance::ProgramDriverOptions options;
-    options.command = o.command;
-    options.seconds = positive("--timeout", o.timeout, 1e9);
-    options.batch = whole_number("--batch", o.batch, 1, 1'000'000);
-    options.runs = whole_number("--runs", o.runs, 1, 1'000'000);
+    options.command = o["--exec"];
+    options.seconds = positive("--timeout", o["--timeout"], 1e9);
+    options.batch = whole_number("--batch", o["--batch"], 1, 1'000'000);
+    options.runs = whole_number("--runs", o["--runs"], 1, 1'000'000);
     ProgramMessages messages;
     options.said = std::ref(messages);
-    const conformance::Recipe recipe = conformance::read_recipe(o.answers);
+    const conformance::Recipe recipe = conformance::read_recipe(o["answers"]);
     const conformance::Questions asked = questions_of(recipe, o);
     options.write_csv = [&](const conformance::Questions& part) {
         return write_table(report::question_table(part, recipe.title), report::TableFormat::csv,
@@ -132,72 +114,52 @@ conformance::Answers ask_program(const CheckOptions& o) {
                          [&] { return ask_program_in_batches(asked, options); });
 }
 
-conformance::Answers answers_of(const CheckOptions& o) {
-    if (!o.command.empty()) {
+conformance::Answers answers_of(const Options& o) {
+    if (!o["--exec"].empty()) {
         return ask_program(o);
     }
-    return o.recipe.empty()
+    return o["--recipe"].empty()
                ? conformance::echoed_answers(read_answers(o))
-               : conformance::answers_to(questions_of(conformance::read_recipe(o.recipe), o),
+               : conformance::answers_to(questions_of(conformance::read_recipe(o["--recipe"]), o),
                                          read_answers(o));
 }
 
-int check(CheckOptions& o) {
-    o.ledger = file_or_shipped(o.ledger, shipped_ledgers);
-    o.recipe = file_or_shipped(o.recipe, shipped_recipes);
-    o.answers = file_or_shipped(o.answers, shipped_recipes);
-    o.json = text_or_json(o.format) || o.json;
-    require(!o.json || o.ledger.empty(), "--json is for answers", "leave --json out");
-    require(o.only == "*" || o.ledger.empty(), "--only is for answers", "leave --only out");
-    require(o.out.empty() || o.ledger.empty(), "--out is for answers", "leave --out out");
-    if (!o.ledger.empty()) {
-        return check_ledger(o.ledger, threads_of(o.threads));
+} // namespace
+
+int check(Options& o) {
+    o["--ledger"] = file_or_shipped(o["--ledger"], shipped_ledgers);
+    o["--recipe"] = file_or_shipped(o["--recipe"], shipped_recipes);
+    o["answers"] = file_or_shipped(o["answers"], shipped_recipes);
+    const bool json = text_or_json(o["--format"]) || o.has("--json");
+    require(!json || o["--ledger"].empty(), "--json is for answers", "leave --json out");
+    require(o["--only"] == "*" || o["--ledger"].empty(), "--only is for answers",
+            "leave --only out");
+    require(o["--out"].empty() || o["--ledger"].empty(), "--out is for answers", "leave --out out");
+    if (!o["--ledger"].empty()) {
+        return check_ledger(o["--ledger"], threads_of(o["--threads"]));
     }
-    require(!o.answers.empty(), "there is nothing to check",
+    require(!o["answers"].empty(), "there is nothing to check",
             "give ANSWERS.csv, or RECIPE.toml with --exec, or --ledger FORMULAS.toml");
-    io::check_output(o.junit);
-    io::check_output(o.out);
+    io::check_output(o["--junit"]);
+    io::check_output(o["--out"]);
     report::Conformance result;
     result.target = target_of(o);
-    const std::size_t errors = whole_number("--errors", o.errors, 0, 1'000'000'000);
+    const std::size_t errors = whole_number("--errors", o["--errors"], 0, 1'000'000'000);
     conformance::ReferenceOptions options;
-    options.threads = threads_of(o.threads);
+    options.threads = threads_of(o["--threads"]);
     refuse_recipe(o);
     result.answers = answers_of(o);
     with_progress("references", options.progress, [&] {
         result.agreements = compare(result.answers, result.target, options);
         result.conventions = infer_conventions(result.answers, result.agreements, options);
     });
-    if (!o.junit.empty()) {
-        io::write_output(o.junit, conformance_junit(result));
+    if (!o["--junit"].empty()) {
+        io::write_output(o["--junit"], conformance_junit(result));
     }
-    io::write_output(o.out.empty() ? "-" : o.out,
-                     o.json ? conformance_json(result)
-                            : printable_lines(conformance_text(result, errors)));
+    io::write_output(o["--out"].empty() ? "-" : o["--out"],
+                     json ? conformance_json(result)
+                          : printable_lines(conformance_text(result, errors)));
     return result.pass() ? 0 : 1;
-}
-
-} // namespace
-
-void add_check(CLI::App& app, int& code) {
-    auto [sub, o] = add_command<CheckOptions>(app, code, "check", check);
-    option(sub, "answers", o.answers);
-    option(sub, "--recipe", o.recipe);
-    option(sub, "--exec", o.command);
-    option(sub, "--only", o.only);
-    option(sub, "--batch", o.batch);
-    option(sub, "--runs", o.runs);
-    option(sub, "--timeout", o.timeout);
-    option(sub, "--digits", o.digits);
-    option(sub, "--ulps", o.ulps);
-    option(sub, "--conditioned", o.conditioned);
-    option(sub, "--errors", o.errors);
-    option(sub, "--json", o.json);
-    option(sub, "--format", o.format);
-    option(sub, "--out", o.out);
-    option(sub, "--junit", o.junit);
-    option(sub, "--ledger", o.ledger);
-    option(sub, "--threads", o.threads);
 }
 
 } // namespace edgeproof::cli

@@ -58,7 +58,7 @@ void Computing::run() {
         return io::at_place(scene.file, scene.load_line,
                             [&] { return run_scene(scene, progress); });
     });
-    if (o.verbose) {
+    if (o.has("--verbose")) {
         std::fputs(values_by_quantity(result).c_str(), stderr);
     }
     table.title = scene.title;
@@ -117,8 +117,8 @@ int Computing::write(const std::vector<std::string>& remarks) {
         table.remarks.push_back(bounds);
     }
     table.remarks.insert(table.remarks.end(), remarks.begin(), remarks.end());
-    if (!o.figure.empty()) {
-        io::write_whole(o.figure, report::picture_file(picture_of(scene), o.figure));
+    if (!o["--figure"].empty()) {
+        io::write_whole(o["--figure"], report::picture_file(picture_of(scene), o["--figure"]));
     }
     emit(table, o);
     return 0;
@@ -156,43 +156,6 @@ scene::BoundedValue marked(const scene::RowsAt& at, Quantity quantity, const std
         all.route += " (estimate: " + estimates + ")";
     }
     return all;
-}
-
-namespace {
-
-struct Set {
-    const char* name;
-    int (*compute)(const ComputeOptions&);
-};
-constexpr Set sets[] = {{"pressure", pressure}, {"expand", expand}, {"extent", extent},
-                        {"slip", slip},         {"stress", stress}, {"displacement", displacement}};
-
-void add_set(CLI::App& app, int& code, const Set& set) {
-    auto [sub, o] = add_command<ComputeOptions>(app, code, set.name, set.compute);
-    add_scene_options(sub, o);
-    const std::string_view name = set.name;
-    if (name == "pressure" || name == "expand" || name == "extent") {
-        option(sub, "--figure", o.figure);
-    }
-    if (name == "expand" || name == "stress" || name == "displacement") {
-        option(sub, "--body", o.body);
-    }
-    if (name == "expand") {
-        option(sub, "--angle", o.angle);
-    } else if (name == "stress") {
-        option(sub, "--point", o.points)->allow_extra_args(false);
-        option(sub, "--greatest", o.greatest);
-    } else if (name == "displacement") {
-        option(sub, "--reference", o.reference);
-    }
-}
-
-} // namespace
-
-void add_sets(CLI::App& app, int& code) {
-    for (const Set& set : sets) {
-        add_set(app, code, set);
-    }
 }
 
 } // namespace edgeproof::cli

@@ -8,20 +8,12 @@
 /// The commands that compute a table of a scene: sets of quantities.
 namespace edgeproof::cli {
 
-struct ComputeOptions : SceneOptions {
-    std::string body;                ///< empty: A
-    std::vector<std::string> points; ///< "X,Z"
-    std::string greatest;            ///< the stress whose greatest value is asked for
-    std::string reference;           ///< empty: the scene's
-    std::string angle;               ///< empty: the pressure, not the stresses along a ray
-};
-
 /// What is computed for one table. A set asks for its quantities, and makes the columns.
 class Computing {
 public:
-    explicit Computing(const ComputeOptions& options)
-        : o(options), body(options.body.empty() ? "A" : options.body), scene(asked_scene(options)) {
-    }
+    explicit Computing(const Options& options)
+        : o(options), body(options["--body"].empty() ? "A" : options["--body"]),
+          scene(asked_scene(options)) {}
 
     /// Computes the set's own quantities, and those of `others` that the scene names.
     void run(scene::QuantityGroup own,
@@ -46,7 +38,7 @@ public:
     [[noreturn]] void reject(const std::string& problem, const std::string& instead,
                              std::size_t line) const;
 
-    const ComputeOptions& o;
+    const Options& o;
     const std::string body;
     scene::Scene scene;
     scene::SceneResult result;
@@ -65,15 +57,7 @@ private:
 [[nodiscard]] scene::BoundedValue marked(const scene::RowsAt& at, scene::Quantity quantity,
                                          const std::string& prefix);
 
-int pressure(const ComputeOptions& options);
-// edges.cpp
-int expand(const ComputeOptions& options);
-int extent(const ComputeOptions& options);
-int slip(const ComputeOptions& options);
-// stresses.cpp
-int stress(const ComputeOptions& options);
-int displacement(const ComputeOptions& options);
 /// The coefficients of the stresses along a ray: a row for each power of the distance.
-int expand_stresses(const ComputeOptions& options);
+int expand_stresses(const Options& options);
 
 } // namespace edgeproof::cli

@@ -8,11 +8,6 @@
 namespace edgeproof::cli {
 namespace {
 
-struct DesignCommandOptions : SceneOptions {
-    std::string gap = "1e-6";
-    std::string maximise;
-};
-
 /// Moves what [design] has under a name of its own out of [ask].
 void move_question(GivenScene& given, const std::string& maximise) {
     io::TomlTable design{"design", 0, {}};
@@ -47,9 +42,9 @@ void move_question(GivenScene& given, const std::string& maximise) {
     }
 }
 
-scene::DesignScene design_of(const DesignCommandOptions& o) {
-    GivenScene given = given_scene(o.words, shipped_designs);
-    move_question(given, o.maximise);
+scene::DesignScene design_of(const Options& o) {
+    GivenScene given = given_scene(o.list("scene"), shipped_designs);
+    move_question(given, o["--maximise"]);
     if (given.file.empty()) {
         o.as_file = scene::scene_text(given.instead);
     }
@@ -72,35 +67,26 @@ Rational gap_of(const std::string& text) {
     return gap;
 }
 
-int run(const DesignCommandOptions& o) {
-    const scene::DesignScene design = design_of(o);
-    scene::Digits digits;
-    digits.count = !o.digits.empty() ? digits_of(o.digits, scene::most_design_digits)
-                   : o.is_short()    ? digits_of_short_answer
-                                     : 30;
-    (void)o.table_format();
-    io::check_output(o.out);
-    contact::DesignOptions options;
-    options.digits = digits.count;
-    options.gap = gap_of(o.gap);
-    const scene::DesignResult result = with_progress("thousandths of the range", options.progress,
-                                                     [&] { return run_design(design, options); });
-    report::Table table = report::design_table(design, result, options);
-    table.asked = fmt::format("the best value for the reach of {} term{} within {}", design.terms,
-                              design.terms == 1 ? "" : "s", report::in_percent(design.tolerance));
-    emit(table, o);
-    return 0;
-}
-
 } // namespace
 
-void add_design(CLI::App& app, int& code) {
-    auto [sub, o] = add_command<DesignCommandOptions>(app, code, "design", run);
-    add_given_scene(sub, o);
-    option(sub, "--maximise", o.maximise);
-    option(sub, "--digits", o.digits);
-    option(sub, "--gap", o.gap);
-    add_table_options(sub, o);
+int design(Options& o) {
+    const scene::DesignScene asked = design_of(o);
+    scene::Digits digits;
+    digits.count = !o["--digits"].empty() ? digits_of(o["--digits"], scene::most_design_digits)
+                   : is_short(o)          ? digits_of_short_answer
+                                          : 30;
+    (void)table_format(o);
+    io::check_output(o["--out"]);
+    contact::DesignOptions options;
+    options.digits = digits.count;
+    options.gap = gap_of(o["--gap"]);
+    const scene::DesignResult result = with_progress("thousandths of the range", options.progress,
+                                                     [&] { return run_design(asked, options); });
+    report::Table table = report::design_table(asked, result, options);
+    table.asked = fmt::format("the best value for the reach of {} term{} within {}", asked.terms,
+                              asked.terms == 1 ? "" : "s", report::in_percent(asked.tolerance));
+    emit(table, o);
+    return 0;
 }
 
 } // namespace edgeproof::cli

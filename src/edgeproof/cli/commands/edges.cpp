@@ -9,14 +9,14 @@ namespace edgeproof::cli {
 using scene::Quantity;
 using scene::QuantityGroup;
 
-int expand(const ComputeOptions& o) {
-    if (!o.angle.empty()) {
+int expand(Options& o) {
+    if (!o["--angle"].empty()) {
         return expand_stresses(o);
     }
-    require(o.body.empty(),
-            "--body " + o.body + " has no effect: without --angle no stress is computed",
+    require(o["--body"].empty(),
+            "--body " + o["--body"] + " has no effect: without --angle no stress is computed",
             "leave --body out");
-    check_figure_option(o.figure);
+    check_figure_option(o["--figure"]);
     Computing c(o);
     ask_at_edges(c.scene);
     ask_terms(c.scene);
@@ -59,8 +59,8 @@ int expand(const ComputeOptions& o) {
     return c.write();
 }
 
-int extent(const ComputeOptions& o) {
-    check_figure_option(o.figure);
+int extent(Options& o) {
+    check_figure_option(o["--figure"]);
     Computing c(o);
     const scene::Ask& ask = c.scene.ask;
     c.bounds.clear(); // the notes have the exceptions
@@ -71,7 +71,7 @@ int extent(const ComputeOptions& o) {
     }
     ask_terms(c.scene);
     c.run(QuantityGroup::extent);
-    const std::string tolerance = o.word("tolerance");
+    const std::string tolerance = word_of(o, "tolerance");
     c.table.facts.push_back({"tolerance", tolerance.empty() ? ask.tolerance->text() : tolerance});
     if (ask.process_zone) {
         c.table.facts.push_back({"process_zone", ask.process_zone->text()});
@@ -159,7 +159,7 @@ void note_slip(Computing& c, bool series) {
     }
 }
 
-int slip(const ComputeOptions& o) {
+int slip(Options& o) {
     Computing c(o);
     scene::Ask& ask = c.scene.ask;
     if (!c.scene.slips()) {

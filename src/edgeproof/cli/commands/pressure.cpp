@@ -118,12 +118,12 @@ void note_shear(Computing& c) {
 
 } // namespace
 
-int pressure(const ComputeOptions& o) {
-    check_figure_option(o.figure);
+int pressure(Options& o) {
+    check_figure_option(o["--figure"]);
     Computing c(o);
     scene::Ask& ask = c.scene.ask;
     const bool no_shear = !c.scene.shear && !c.scene.steps.empty() &&
-                          o.word("quantities").find("shear") != std::string::npos;
+                          word_of(o, "quantities").find("shear") != std::string::npos;
     // Values of the whole contact are given alone if no pressures are requested with them.
     const bool alone = (ask.wants(QuantityGroup::contact) || ask.wants(QuantityGroup::peak)) &&
                        !ask.wants(QuantityGroup::pressure) && !ask.wants(QuantityGroup::shear);

@@ -23,12 +23,12 @@ Quantity greatest_of(const std::string& name) {
 }
 
 int greatest(Computing& c) {
-    const Quantity quantity = greatest_of(c.o.greatest);
+    const Quantity quantity = greatest_of(c.o["--greatest"]);
     const scene::Body body = scene::body_named(c.body);
-    require(c.o.points.empty(), "--greatest and --point exclude each other",
+    require(c.o.list("--point").empty(), "--greatest and --point exclude each other",
             "leave out one of them");
     if (!is_known(c.scene, quantity, body)) {
-        c.reject(c.o.greatest + " needs Poisson's ratio", "add nu = \"0.3\" to [load]",
+        c.reject(c.o["--greatest"] + " needs Poisson's ratio", "add nu = \"0.3\" to [load]",
                  c.scene.load_line);
     }
     c.scene.ask.in_bodies.clear();
@@ -79,18 +79,18 @@ formula::Exact angle_of(const std::string& text) {
 
 } // namespace
 
-int stress(const ComputeOptions& o) {
+int stress(Options& o) {
     refuse_words(o, {"edges", "terms", "process_zone", "u", "x"},
                  "stresses are asked for at points of a body (--point X,Z)");
     Computing c(o);
     const scene::Body body = scene::body_named(c.body);
     std::vector<scene::BodyPoint>& points = c.scene.ask.in_bodies;
-    if (!o.greatest.empty()) {
+    if (!o["--greatest"].empty()) {
         return greatest(c);
     }
-    if (!o.points.empty()) {
+    if (!o.list("--point").empty()) {
         points.clear();
-        for (const std::string& text : o.points) {
+        for (const std::string& text : o.list("--point")) {
             const std::vector<std::string> parts = parts_of(text);
             require(parts.size() == 2, "--point " + text + " is no point",
                     "write X,Z, such as --point 0,1/2");
@@ -136,7 +136,7 @@ int stress(const ComputeOptions& o) {
     return c.write();
 }
 
-int displacement(const ComputeOptions& o) {
+int displacement(Options& o) {
     refuse_words(o, {"edges", "terms", "process_zone", "u"},
                  "displacements are asked for at places (x=X)");
     Computing c(o);
@@ -153,9 +153,9 @@ int displacement(const ComputeOptions& o) {
     }
     ask.edges = {contact::Edge::right};
     ask_for(c.scene, o, QuantityGroup::displacement, {QuantityGroup::contact});
-    if (!o.reference.empty()) {
+    if (!o["--reference"].empty()) {
         ask.reference =
-            scene::Place::parse(o.reference, scene::Place::From::origin, names_of(c.scene))
+            scene::Place::parse(o["--reference"], scene::Place::From::origin, names_of(c.scene))
                 .distance(contact::Edge::right);
     }
     ask.surface_of = scene::body_named(c.body);
@@ -193,12 +193,13 @@ int displacement(const ComputeOptions& o) {
     return c.write();
 }
 
-int expand_stresses(const ComputeOptions& o) {
+int expand_stresses(const Options& o) {
     refuse_words(o, {"quantities"}, "with --angle only the stresses are computed");
-    require(o.figure.empty(),
-            "--figure " + o.figure + " has no effect: with --angle only the stresses are computed",
+    require(o["--figure"].empty(),
+            "--figure " + o["--figure"] +
+                " has no effect: with --angle only the stresses are computed",
             "leave --figure out");
-    const formula::Exact angle = angle_of(o.angle);
+    const formula::Exact angle = angle_of(o["--angle"]);
     Computing c(o);
     ask_at_edges(c.scene);
     ask_terms(c.scene);

@@ -10,17 +10,7 @@
 namespace edgeproof::cli {
 namespace {
 
-struct VerifyOptions {
-    std::string ledger;
-    long long digits = 50;
-    std::string out;
-    std::string only = "*";
-    std::string threads;
-    bool record = false;
-    bool strict = false;
-};
-
-constexpr long long most_digits_of_a_formula = 10000;
+constexpr std::size_t most_digits_of_a_formula = 10000;
 
 /// The number of claims that do not hold.
 std::size_t failing_claims(const audit::AuditResult& result) {
@@ -48,53 +38,55 @@ int report_claim_errors(const std::vector<audit::ClaimError>& errors) {
 
 /// Returns the command for the report. The output folder is left out, so that the report is the
 /// same everywhere.
-std::string command_text(const VerifyOptions& o) {
-    return "edgeproof verify " + o.ledger + " --digits " + std::to_string(o.digits) +
-           (o.only == "*" ? "" : " --only '" + o.only + "'");
+std::string command_text(const Options& o) {
+    return "edgeproof verify " + o["ledger"] + " --digits " + o["--digits"] +
+           (o["--only"] == "*" ? "" : " --only '" + o["--only"] + "'");
 }
 
 void write_files(const audit::AuditResult& result, const audit::Ledger& ledger,
-                 const report::FiguresOfSource& figures, const VerifyOptions& o) {
-    io::write_folder(o.out, [&](const std::filesystem::path& out) {
+                 const report::FiguresOfSource& figures, const Options& o) {
+    io::write_folder(o["--out"], [&](const std::filesystem::path& out) {
         io::write_whole(out / "verdicts.json", report::verdicts_json(result));
         io::write_whole(out / "verdicts.csv", report::verdicts_csv(result));
         io::write_whole(out / "verdicts.md", report::verdicts_markdown(result));
         io::write_whole(out / "verdicts.tex", report::verdicts_latex(result));
         report::write_html_report(result, ledger, figures, out,
-                                  static_cast<int>(threads_of(o.threads)), command_text(o));
+                                  static_cast<int>(threads_of(o["--threads"])), command_text(o));
     });
 }
 
-int verify(VerifyOptions& o) {
-    o.ledger = file_or_shipped(o.ledger, shipped_ledgers);
-    require(o.digits >= 10 && o.digits <= most_digits_of_a_formula,
-            "--digits " + std::to_string(o.digits) + " is out of range",
-            "give a number of digits from 10 to " + std::to_string(most_digits_of_a_formula));
-    require(!o.record || o.only == "*", "--record with --only would forget the other claims",
+} // namespace
+
+int verify(Options& o) {
+    o["ledger"] = file_or_shipped(o["ledger"], shipped_ledgers);
+    const std::size_t digits =
+        whole_number("--digits", o["--digits"], 10, most_digits_of_a_formula);
+    const bool record = o.has("--record");
+    require(!record || o["--only"] == "*", "--record with --only would forget the other claims",
             "record all of them");
-    require(!o.record || o.ledger != "-",
+    require(!record || o["ledger"] != "-",
             "--record needs a ledger's name to store the record next to it", "give its file");
-    const audit::Ledger ledger = read_ledger(o.ledger, audit::ClaimErrors::kept);
+    const audit::Ledger ledger = read_ledger(o["ledger"], audit::ClaimErrors::kept);
     if (ledger.claims.empty() && !ledger.errors.empty()) {
         return report_claim_errors(ledger.errors);
     }
     report::FiguresOfSource figures;
-    if (!o.out.empty()) { // fails before minutes of work, not after them
+    if (!o["--out"].empty()) { // fails before minutes of work, not after them
         figures = report::figures_of_source(ledger.file);
-        io::check_folder(o.out);
+        io::check_folder(o["--out"]);
         for (const char* name : {"verdicts.json", "verdicts.csv", "verdicts.md", "verdicts.tex",
                                  "report.html", "errata.tex"}) {
-            io::check_output(std::filesystem::path(o.out) / name);
+            io::check_output(std::filesystem::path(o["--out"]) / name);
         }
     }
     audit::AuditResult result =
-        judged_ledger(ledger, {.digits = static_cast<unsigned>(o.digits),
-                               .threads = static_cast<int>(threads_of(o.threads)),
-                               .only = o.only});
-    certificate::attach_certificates(result, ledger,
-                                     std::filesystem::path(o.ledger).parent_path() / "certificates",
-                                     "certificates");
-    if (!o.out.empty()) {
+        judged_ledger(ledger, {.digits = static_cast<unsigned>(digits),
+                               .threads = static_cast<int>(threads_of(o["--threads"])),
+                               .only = o["--only"]});
+    certificate::attach_certificates(
+        result, ledger, std::filesystem::path(o["ledger"]).parent_path() / "certificates",
+        "certificates");
+    if (!o["--out"].empty()) {
         write_files(result, ledger, figures, o);
     }
     std::fputs(report::verdicts_terminal(result, terminal_width(), stdout_takes_colour()).c_str(),
@@ -104,17 +96,18 @@ int verify(VerifyOptions& o) {
                     result.errors.size() + result.claims.size());
         return report_claim_errors(result.errors); // without a record or a comparison
     }
-    const int failing = o.strict && failing_claims(result) > 0 ? 1 : 0;
-    const std::filesystem::path golden = report::golden_file(o.ledger);
-    if (o.record) {
+    const int failing = o.has("--strict") && failing_claims(result) > 0 ? 1 : 0;
+    const std::filesystem::path golden = report::golden_file(o["ledger"]);
+    if (record) {
         io::write_whole(golden, report::golden_text(result));
         std::printf("recorded in %s\n", golden.string().c_str());
         return failing;
     }
-    if (!report::has_golden_file(o.ledger)) {
+    if (!report::has_golden_file(o["ledger"])) {
         return failing;
     }
-    const std::vector<std::string> differences = report::golden_differences(result, golden, o.only);
+    const std::vector<std::string> differences =
+        report::golden_differences(result, golden, o["--only"]);
     for (const std::string& line : differences) {
         std::printf("differs from the record: %s\n", line.c_str());
     }
@@ -123,8 +116,6 @@ int verify(VerifyOptions& o) {
     }
     return differences.empty() ? failing : 1;
 }
-
-} // namespace
 
 int check_ledger(const std::string& ledger, unsigned threads) {
     const audit::Ledger formulas = read_ledger(ledger, audit::ClaimErrors::kept);
@@ -145,17 +136,6 @@ int check_ledger(const std::string& ledger, unsigned threads) {
     std::printf("\n");
     const int bad = report_claim_errors(result.errors);
     return bad != 0 ? bad : wrong == 0 ? 0 : 1;
-}
-
-void add_verify(CLI::App& app, int& code) {
-    auto [sub, o] = add_command<VerifyOptions>(app, code, "verify", verify);
-    option(sub, "ledger", o.ledger);
-    option(sub, "--digits", o.digits);
-    option(sub, "--out,--out-dir", o.out);
-    option(sub, "--only", o.only);
-    option(sub, "--threads", o.threads);
-    option(sub, "--record", o.record);
-    option(sub, "--strict", o.strict);
 }
 
 } // namespace edgeproof::cli

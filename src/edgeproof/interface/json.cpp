@@ -26,56 +26,6 @@ audit::AuditResult judged(const std::string& file, const audit::AuditOptions& op
     return result;
 }
 
-conformance::Recipe asked_in_binary64(const std::string& file) {
-    conformance::Recipe recipe = conformance::read_recipe(file);
-    recipe.questions = rounded_to_binary64(recipe.questions);
-    return recipe;
-}
-
-/// The value of an option; empty if it is not given.
-std::string option(const json::Options& options, std::string_view key, std::string value = {}) {
-    const auto found = options.find(key);
-    return found == options.end() ? value : found->second;
-}
-std::optional<double> number_in(const json::Options& options, std::string_view key) {
-    const std::string text = option(options, key);
-    return text.empty() ? std::nullopt : std::optional(std::stod(text));
-}
-
-conformance::Answers answers_to(const json::Options& options, const Progress& progress) {
-    const std::string file = option(options, "recipe");
-    const std::string command = option(options, "command");
-    if (command.empty()) {
-        const io::Csv csv = io::parse_csv(option(options, "answers"), option(options, "name"),
-                                          {.keep_faults = true});
-        return file.empty() ? conformance::echoed_answers(csv)
-                            : conformance::answers_to(asked_in_binary64(file).questions, csv);
-    }
-    const conformance::Recipe recipe = asked_in_binary64(file);
-    conformance::ProgramDriverOptions driver;
-    driver.command = command;
-    driver.seconds = number_in(options, "seconds").value_or(driver.seconds);
-    driver.progress = progress;
-    driver.write_csv = [&](const conformance::Questions& part) {
-        return write_table(report::question_table(part, recipe.title), report::TableFormat::csv,
-                           {.notes = false});
-    };
-    return ask_program_in_batches(recipe.questions, driver);
-}
-
-report::Conformance compared_answers(const json::Options& options, const Progress& progress) {
-    report::Conformance found;
-    found.target = {number_in(options, "digits"), number_in(options, "ulps"),
-                    !option(options, "conditioned").empty()};
-    conformance::ReferenceOptions reference;
-    reference.threads = static_cast<unsigned>(number_in(options, "threads").value_or(0));
-    reference.progress = progress;
-    found.answers = answers_to(options, progress);
-    found.agreements = compare(found.answers, found.target, reference);
-    found.conventions = infer_conventions(found.answers, found.agreements, reference);
-    return found;
-}
-
 /// JSON has no infinity.
 std::string number(double x) { return fmt::format("{}", x); }
 
@@ -115,11 +65,11 @@ std::vector<Verdict> verify(const std::string& ledger, unsigned digits) {
 Outcome check(const std::string& recipe, const std::string& answers, double digits) {
     require(digits > 0, "the digits of a check are not positive", "give a number > 0");
     const report::Conformance found =
-        compared_answers({{"answers", io::read_text(answers, "file of answers (CSV)")},
-                          {"name", answers},
-                          {"recipe", recipe},
-                          {"digits", std::to_string(digits)}},
-                         {});
+        report::checked_answers({{"answers", io::read_text(answers, "file of answers (CSV)")},
+                                 {"name", answers},
+                                 {"recipe", recipe},
+                                 {"digits", std::to_string(digits)}},
+                                {});
     return {found.pass(), conformance_text(found, most_errors_shown), conformance_json(found)};
 }
 
@@ -161,8 +111,9 @@ std::string verify(const Progress& progress, const std::string& ledger, long dig
 }
 
 std::string questions(const std::string& recipe) {
-    const conformance::Recipe asked = asked_in_binary64(recipe);
-    const report::Table table = report::question_table(asked.questions, asked.title);
+    const conformance::Recipe asked = conformance::read_recipe(recipe);
+    const report::Table table =
+        report::question_table(rounded_to_binary64(asked.questions), asked.title);
     Json list = Json::array();
     for (const auto& row : table.rows) {
         Json question = Json::object();
@@ -177,7 +128,7 @@ std::string questions(const std::string& recipe) {
 }
 
 std::string check(const Progress& progress, const Options& options) {
-    const report::Conformance c = compared_answers(options, progress);
+    const report::Conformance c = report::checked_answers(options, {progress, progress, {}});
     Json cases = Json::array();
     for (std::size_t i = 0; i < c.agreements.cases.size(); ++i) {
         cases.push_back(case_of(c, i));
@@ -203,37 +154,10 @@ std::string check(const Progress& progress, const Options& options) {
 Outcome compare(const Progress& progress, const Scene& scene, const std::string& name,
                 const std::vector<std::pair<std::string, std::string>>& results,
                 const Options& options) {
-    const auto tolerance = [&](const char* key) {
-        const std::string text = option(options, key);
-        return text.empty() ? std::nullopt
-                            : std::optional(scene::parse_tolerance(text).to<double>());
-    };
-    const scene::Scene& exactly = scene_of(scene);
-    comparison::Tolerances t;
-    t.partial = !option(options, "partial").empty();
-    t.stated = !option(options, "tolerance").empty();
-    t.pressure = tolerance("tolerance").value_or(t.pressure);
-    t.of = comparison::norm_named(option(options, "of", "peak"));
-    t.zone = comparison::parse_edge_zone(option(options, "edge_zone", "0"));
-    t.edges = tolerance("tolerance_a");
-    t.force = tolerance("tolerance_P");
-    t.c0 = tolerance("tolerance_c0");
-    const auto origin = option(options, "origin", "0") == "auto"
-                            ? std::nullopt // fitted to the data
-                            : std::optional(parse_decimal(option(options, "origin", "0")));
-    const comparison::ResultReading reading =
-        comparison::reading_of(exactly.units, option(options, "columns"), option(options, "scale"));
-    std::vector<comparison::ResultTable> tables; // all are read before any work
-    for (const auto& [text, file] : results) {
-        tables.push_back(comparison::parse_result(text, file, reading));
-    }
-    const comparison::ExactContact contact(exactly);
-    const report::ComparisonReport report{
-        name, exactly.title, exactly.units, &contact,
-        compare_tables(
-            std::move(tables), exactly, contact, t, origin,
-            progress ? progress : [](std::size_t /*done*/, std::size_t /*all*/) {})};
-    return {report.comparison.passes(), comparison_text(report), comparison_json(report)};
+    const report::ComparedResults found = report::compare_results(
+        progress ? progress : [](std::size_t /*done*/, std::size_t /*all*/) {}, scene_of(scene),
+        name, results, options);
+    return {found.passes, found.text, found.json};
 }
 
 std::string design(const Progress& progress, const std::string& text, const std::string& file,

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
 
-#include <algorithm>
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <utility>
-#include <vector>
 
 namespace edgeproof::cli {
 namespace {
@@ -15,7 +13,8 @@ namespace {
 constexpr double most_digits_of_a_check = 10'000;
 constexpr double most_ulps = 1e300;
 
-double positive(const std::string& option, const std::string& text, double most) {
+/// Reads a number > 0 of an option, and returns it as binary64.
+std::string number(const std::string& option, const std::string& text, double most) {
     double value = 0;
     try {
         value = parse_decimal(text).convert_to<double>();
@@ -25,23 +24,11 @@ double positive(const std::string& option, const std::string& text, double most)
     if (!(value > 0 && value <= most)) {
         throw InputError(option + " " + text + " is out of range", "give a number > 0, such as 10");
     }
-    return value;
-}
-
-conformance::Target target_of(const Options& o) {
-    conformance::Target target;
-    if (!o["--digits"].empty()) {
-        target.digits = positive("--digits", o["--digits"], most_digits_of_a_check);
-    }
-    if (!o["--ulps"].empty()) {
-        target.ulps = positive("--ulps", o["--ulps"], most_ulps);
-    }
-    target.conditioned = o.has("--conditioned");
-    return target;
+    return fmt::format("{}", value);
 }
 
 void refuse_recipe(const Options& o) {
-    if (o["--exec"].empty() && std::filesystem::path(o["answers"]).extension() == ".toml") {
+    if (std::filesystem::path(o["answers"]).extension() == ".toml") {
         throw InputError(
             "this is a TOML file, not answers (CSV)",
             "add --exec 'COMMAND' to ask a program the questions of a recipe, or give a "
@@ -50,78 +37,33 @@ void refuse_recipe(const Options& o) {
     }
 }
 
-void refuse_if_none(bool none, const Options& o, const std::string& what) {
-    require(!none || o["--only"] == "*",
-            "--only " + o["--only"] + ": no id of " + what + " matches",
-            "write the begin of ids and a star, such as 'hertz:*'");
-}
-
-/// Reads the answers whose ids match --only. A note of the number of questions is then left out.
-io::Csv read_answers(const Options& o) {
-    io::Csv csv = io::parse_csv(io::read_text(o["answers"], "file of answers (CSV)"),
-                                io::input_name(o["answers"]), {.keep_faults = true});
-    const auto id = csv.column("id");
-    if (o["--only"] != "*" && id) {
-        std::erase_if(csv.rows, [&](const io::Csv::Row& row) {
-            return row.cells.size() > *id && !audit::matches(o["--only"], row.cells[*id]);
-        });
-        refuse_if_none(csv.rows.empty(), o, "an answer");
-        csv.notes.clear();
-        csv.note_lines.clear();
+/// The options of report::checked_answers.
+std::map<std::string, std::string, std::less<>> check_options(const Options& o) {
+    std::map<std::string, std::string, std::less<>> asked{
+        {"only", o["--only"]},
+        {"conditioned", o.has("--conditioned") ? "yes" : ""},
+        {"threads", std::to_string(threads_of(o["--threads"]))}};
+    if (!o["--digits"].empty()) {
+        asked["digits"] = number("--digits", o["--digits"], most_digits_of_a_check);
     }
-    return csv;
-}
-
-/// Reads the questions of a recipe whose ids match --only, rounded to binary64.
-conformance::Questions questions_of(const conformance::Recipe& recipe, const Options& o) {
-    conformance::Questions asked = rounded_to_binary64(recipe.questions);
-    std::erase_if(asked.list, [&](const conformance::Question& q) {
-        return !audit::matches(o["--only"], q.id);
-    });
-    refuse_if_none(asked.list.empty(), o, "a question");
-    // A program that knows one profile is not shown the parameters of others.
-    std::map<std::size_t, std::size_t> used;
-    std::vector<conformance::AskedContact> contacts;
-    for (conformance::Question& q : asked.list) {
-        const auto [found, is_new] = used.emplace(q.contact, contacts.size());
-        if (is_new) {
-            contacts.push_back(asked.contacts[q.contact]);
-        }
-        q.contact = found->second;
+    if (!o["--ulps"].empty()) {
+        asked["ulps"] = number("--ulps", o["--ulps"], most_ulps);
     }
-    asked.contacts = std::move(contacts);
-    return asked;
-}
-
-/// Runs a program. Its answers are never bad input, only wrong.
-conformance::Answers ask_program(const Options& o) {
-    require(o["--recipe"].empty(), "--recipe is given with --exec",
-            "give the recipe alone, as the first");
-    conformance::ProgramDriverOptions options;
-    options.command = o["--exec"];
-    options.seconds = positive("--timeout", o["--timeout"], 1e9);
-    options.batch = whole_number("--batch", o["--batch"], 1, 1'000'000);
-    options.runs = whole_number("--runs", o["--runs"], 1, 1'000'000);
-    ProgramMessages messages;
-    options.said = std::ref(messages);
-    const conformance::Recipe recipe = conformance::read_recipe(o["answers"]);
-    const conformance::Questions asked = questions_of(recipe, o);
-    options.write_csv = [&](const conformance::Questions& part) {
-        return write_table(report::question_table(part, recipe.title), report::TableFormat::csv,
-                           {.notes = false});
-    };
-    return with_progress("answers", options.progress,
-                         [&] { return ask_program_in_batches(asked, options); });
-}
-
-conformance::Answers answers_of(const Options& o) {
     if (!o["--exec"].empty()) {
-        return ask_program(o);
+        require(o["--recipe"].empty(), "--recipe is given with --exec",
+                "give the recipe alone, as the first");
+        asked["recipe"] = o["answers"];
+        asked["command"] = o["--exec"];
+        asked["seconds"] = number("--timeout", o["--timeout"], 1e9);
+        asked["batch"] = std::to_string(whole_number("--batch", o["--batch"], 1, 1'000'000));
+        asked["runs"] = std::to_string(whole_number("--runs", o["--runs"], 1, 1'000'000));
+    } else {
+        refuse_recipe(o);
+        asked["recipe"] = o["--recipe"];
+        asked["answers"] = io::read_text(o["answers"], "file of answers (CSV)");
+        asked["name"] = io::input_name(o["answers"]);
     }
-    return o["--recipe"].empty()
-               ? conformance::echoed_answers(read_answers(o))
-               : conformance::answers_to(questions_of(conformance::read_recipe(o["--recipe"]), o),
-                                         read_answers(o));
+    return asked;
 }
 
 } // namespace
@@ -142,17 +84,14 @@ int check(Options& o) {
             "give ANSWERS.csv, or RECIPE.toml with --exec, or --ledger FORMULAS.toml");
     io::check_output(o["--junit"]);
     io::check_output(o["--out"]);
-    report::Conformance result;
-    result.target = target_of(o);
     const std::size_t errors = whole_number("--errors", o["--errors"], 0, 1'000'000'000);
-    conformance::ReferenceOptions options;
-    options.threads = threads_of(o["--threads"]);
-    refuse_recipe(o);
-    result.answers = answers_of(o);
-    with_progress("references", options.progress, [&] {
-        result.agreements = compare(result.answers, result.target, options);
-        result.conventions = infer_conventions(result.answers, result.agreements, options);
-    });
+    const auto asked = check_options(o);
+    ProgramMessages messages;
+    Progress answers("answers");
+    Progress references("references");
+    const report::Conformance result = report::checked_answers(
+        asked, {std::ref(answers), std::ref(references), std::ref(messages)});
+    wipe_progress();
     if (!o["--junit"].empty()) {
         io::write_output(o["--junit"], conformance_junit(result));
     }

@@ -4,37 +4,34 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <optional>
+#include <string>
 #include <utility>
 
 namespace edgeproof::cli {
 namespace {
 
-struct ToleranceRow {
-    std::string_view name;
-    std::optional<double> comparison::Tolerances::*field;
-};
-constexpr ToleranceRow tolerance_rows[] = {{"a", &comparison::Tolerances::edges},
-                                           {"P", &comparison::Tolerances::force},
-                                           {"c0", &comparison::Tolerances::c0},
-                                           {"q", &comparison::Tolerances::q},
-                                           {"surface", &comparison::Tolerances::surface}};
+/// Names of tolerances in addition to that of p.
+constexpr std::string_view others[] = {"a", "P", "c0", "q", "surface"};
 
-double tolerance_value(const std::string& option, const std::string& text) {
+void check_tolerance(const std::string& option, const std::string& text) {
     refuse_whole_tolerance(option, text);
     try {
-        return scene::parse_tolerance(text).to<double>();
+        (void)scene::parse_tolerance(text);
     } catch (const InputError& error) {
         throw InputError(option + " " + text + ": " + error.problem(),
                          "write it as 3%, 0.03 or 3/100");
     }
 }
 
-comparison::Tolerances tolerances_of(const Options& o) {
-    comparison::Tolerances t;
+/// The options of report::compare_results.
+std::map<std::string, std::string, std::less<>> comparison_options(const Options& o) {
+    std::map<std::string, std::string, std::less<>> asked{
+        {"columns", o["--columns"]}, {"scale", o["--scale"]},
+        {"origin", o["--origin"]},   {"partial", o.has("--partial") ? "yes" : ""},
+        {"of", o["--of"]},           {"edge_zone", o["--edge-zone"]}};
     std::map<std::string, std::string> given;
-    for (const ToleranceRow& row : tolerance_rows) { // the older spelling
-        given.emplace(row.name, o["--tolerance-" + std::string(row.name)]);
+    for (const std::string_view name : others) { // the older spelling
+        given.emplace(name, o["--tolerance-" + std::string(name)]);
     }
     for (const std::string& part :
          o["--tolerance"].empty() ? std::vector<std::string>{} : parts_of(o["--tolerance"])) {
@@ -43,36 +40,15 @@ comparison::Tolerances tolerances_of(const Options& o) {
         given[name] = equals == std::string::npos ? part : part.substr(equals + 1);
     }
     for (const auto& [name, text] : given) {
-        if (text.empty()) {
-            continue;
+        if (!text.empty()) {
+            check_tolerance(name == "p" ? "--tolerance" : "--tolerance-" + name, text);
+            require(name == "p" || std::ranges::find(others, name) != std::end(others),
+                    "--tolerance " + o["--tolerance"] + ": there is no " + name,
+                    "write p, a, P, c0, q or surface, such as p=3%,a=1%");
+            asked[name == "p" ? "tolerance" : "tolerance_" + name] = text;
         }
-        const std::string option = name == "p" ? "--tolerance" : "--tolerance-" + name;
-        const double value = tolerance_value(option, text);
-        if (name == "p") {
-            t.pressure = value;
-            t.stated = true;
-            continue;
-        }
-        const auto* const row = std::ranges::find(tolerance_rows, name, &ToleranceRow::name);
-        require(row != std::end(tolerance_rows),
-                "--tolerance " + o["--tolerance"] + ": there is no " + name,
-                "write p, a, P, c0, q or surface, such as p=3%,a=1%");
-        t.*row->field = value;
     }
-    t.of = comparison::norm_named(o["--of"]);
-    t.zone = comparison::parse_edge_zone(o["--edge-zone"]);
-    t.partial = o.has("--partial");
-    return t;
-}
-
-std::optional<Rational> origin_of(const std::string& text) {
-    if (text == "auto") {
-        return {};
-    }
-    const auto number = io::read_number(text);
-    require(number.has_value(), "--origin " + text + " is no place",
-            "give the x of the data at which the scene has its origin, or auto");
-    return number;
+    return asked;
 }
 
 } // namespace
@@ -83,28 +59,22 @@ int compare(Options& o) {
     require(!o["scene"].empty() && !o.list("results").empty(),
             o["scene"].empty() ? "no scene is given" : "no result is given",
             "write edgeproof compare SCENE.toml RESULT.csv");
-    const comparison::Tolerances tolerances = tolerances_of(o);
-    const auto origin = origin_of(o["--origin"]);
-    comparison::ResultReading reading = comparison::reading_of({}, o["--columns"], o["--scale"]);
+    const auto asked = comparison_options(o);
     scene::Scene scene = scene::read_scene(file_or_shipped(o["scene"], shipped_scenes));
     choose_step(scene, o["--step"]);
-    reading.units = scene.units;
-    std::vector<comparison::ResultTable> tables; // all are read before any work
+    std::vector<std::pair<std::string, std::string>> results;
     for (const std::string& file : o.list("results")) {
-        tables.push_back(comparison::read_result(file, reading));
+        results.emplace_back(io::read_text(file, "result (a table of x and p)"), file);
     }
-    const comparison::ExactContact exact(scene);
     std::function<void(std::size_t, std::size_t)> progress;
-    const report::ComparisonReport report{
-        o["scene"], scene.title, scene.units, &exact, with_progress("files", progress, [&] {
-            return compare_tables(std::move(tables), scene, exact, tolerances, origin, progress);
-        })};
-    const std::string text =
-        json ? comparison_json(report) : printable_lines(comparison_text(report));
+    const report::ComparedResults found = with_progress("files", progress, [&] {
+        return report::compare_results(progress, scene, o["scene"], results, asked);
+    });
+    const std::string text = json ? found.json : printable_lines(found.text);
     const bool printed = o["--out"].empty() || o["--out"] == "-";
     const std::string end = json || printed ? "" : "program: " + report::program_line() + "\n";
     io::write_output(printed ? "-" : o["--out"], text + end);
-    return report.comparison.passes() ? 0 : 1;
+    return found.passes ? 0 : 1;
 }
 
 } // namespace edgeproof::cli

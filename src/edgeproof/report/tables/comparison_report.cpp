@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/report/tables/comparison_report.hpp"
+#include "edgeproof/io/foreign_text.hpp"
+#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/report/text/escape.hpp"
 #include "edgeproof/report/text/program_line.hpp"
@@ -239,6 +241,49 @@ std::string comparison_text(const ComparisonReport& report) {
     return out + (failing == 0 ? fmt::format("pass: {} file{}\n", files, files == 1 ? "" : "s")
                                : fmt::format("FAIL: {} of {} file{}\n", failing, files,
                                              files == 1 ? "" : "s"));
+}
+
+ComparedResults compare_results(const std::function<void(std::size_t, std::size_t)>& progress,
+                                const scene::Scene& scene, const std::string& name,
+                                const std::vector<std::pair<std::string, std::string>>& results,
+                                const std::map<std::string, std::string, std::less<>>& options) {
+    const auto option = [&](std::string_view key, const char* otherwise = "") {
+        const auto found = options.find(key);
+        return found == options.end() ? otherwise : found->second;
+    };
+    const auto tolerance = [&](std::string_view key) {
+        const std::string text = option(key);
+        return text.empty() ? std::nullopt
+                            : std::optional(scene::parse_tolerance(text).to<double>());
+    };
+    comparison::Tolerances t;
+    t.partial = !option("partial").empty();
+    t.stated = !option("tolerance").empty();
+    t.pressure = tolerance("tolerance").value_or(t.pressure);
+    t.of = comparison::norm_named(option("of", "peak"));
+    t.zone = comparison::parse_edge_zone(option("edge_zone", "0"));
+    t.edges = tolerance("tolerance_a");
+    t.force = tolerance("tolerance_P");
+    t.c0 = tolerance("tolerance_c0");
+    t.q = tolerance("tolerance_q");
+    t.surface = tolerance("tolerance_surface");
+    std::optional<Rational> origin; // none: fitted to the data
+    if (const std::string text = option("origin", "0"); text != "auto") {
+        origin = io::read_number(text);
+        require(origin.has_value(), "--origin " + text + " is no place",
+                "give the x of the data at which the scene has its origin, or auto");
+    }
+    const comparison::ResultReading reading =
+        comparison::reading_of(scene.units, option("columns"), option("scale"));
+    std::vector<comparison::ResultTable> tables; // all are read before any work
+    for (const auto& [text, file] : results) {
+        tables.push_back(comparison::parse_result(text, file, reading));
+    }
+    const comparison::ExactContact exact(scene);
+    const ComparisonReport report{
+        name, scene.title, scene.units, &exact,
+        compare_tables(std::move(tables), scene, exact, t, origin, progress)};
+    return {report.comparison.passes(), comparison_text(report), comparison_json(report)};
 }
 
 } // namespace edgeproof::report

@@ -3,7 +3,12 @@
 #include "edgeproof/comparison/comparison.hpp"
 #include "edgeproof/report/tables/table.hpp"
 
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace edgeproof::report {
@@ -26,5 +31,22 @@ struct ComparisonReport {
 [[nodiscard]] std::string comparison_text(const ComparisonReport& report);
 /// Returns the report as JSON; all numbers are binary64.
 [[nodiscard]] std::string comparison_json(const ComparisonReport& report);
+
+/// What a comparison found: the report as text and as JSON.
+struct ComparedResults {
+    bool passes = false;
+    std::string text;
+    std::string json;
+};
+
+/// Compares texts of results, each with the name of its file, with the exact contact. `name`: the
+/// file of the scene. Options (docs/compare.md): columns, scale, origin, tolerance, of, edge_zone,
+/// tolerance_a, tolerance_P, tolerance_c0, tolerance_q, tolerance_surface, partial. Throws
+/// InputError.
+[[nodiscard]] ComparedResults
+compare_results(const std::function<void(std::size_t, std::size_t)>& progress,
+                const scene::Scene& scene, const std::string& name,
+                const std::vector<std::pair<std::string, std::string>>& results,
+                const std::map<std::string, std::string, std::less<>>& options);
 
 } // namespace edgeproof::report

@@ -127,12 +127,6 @@ decltype(auto) with_progress(std::string what, std::function<void(std::size_t, s
 /// NO_COLOR (no-color.org) does not refuse colours.
 [[nodiscard]] bool stdout_takes_colour();
 
-/// Returns the error in a command line that CLI11 refused because of an unknown subcommand or
-/// option: "unknown option '--digit'; did you mean --digits? write one of ...". Where the list is
-/// long, the command that prints it is named instead. Empty if all are known.
-[[nodiscard]] std::string unknown_on_command_line(const CLI::App& app,
-                                                  const std::vector<std::string>& words);
-
 /// Writes manual pages into a folder: man1/edgeproof.1 with the help, man1/edgeproof-NAME.1 with
 /// that of each subcommand, and one for edgeproof-lab that refers to the first.
 void write_manual(const CLI::App& app, const std::string& version,

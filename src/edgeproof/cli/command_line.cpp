@@ -15,16 +15,14 @@ namespace {
 /// A list of more names than these is not printed: the help has it.
 constexpr std::size_t most_listed = 24;
 
-std::string unknown_name(const std::string& what, std::string_view name,
-                         const std::vector<std::string>& known, const std::string& help) {
+InputError unknown_name(const std::string& what, std::string_view name,
+                        const std::vector<std::string>& known, const std::string& help) {
     const std::vector<std::string_view> candidates(known.begin(), known.end());
-    const std::string problem = "unknown " + what + " '" + shortened(name, 60) + "'; ";
-    if (known.size() <= most_listed) {
-        return problem + one_of(name, candidates);
-    }
     const std::string near(near_name(name, candidates));
-    return problem + (near.empty() ? "" : "did you mean " + near + "? ") + "'" + help +
-           "' lists all";
+    return {"unknown " + what + " '" + shortened(name, 60) + "'",
+            known.size() <= most_listed
+                ? one_of(name, candidates)
+                : (near.empty() ? "" : "did you mean " + near + "? ") + "'" + help + "' lists all"};
 }
 
 std::vector<std::string> options_of(const CLI::App& app) {
@@ -62,39 +60,6 @@ bool is_option(const std::string& word) {
 
 } // namespace
 
-std::string unknown_on_command_line(const CLI::App& app, const std::vector<std::string>& words) {
-    const CLI::App* current = &app;
-    std::string help = "edgeproof";
-    for (std::size_t i = 1; i < words.size(); ++i) {
-        const std::string_view word = words[i];
-        if (word == "--") {
-            break;
-        }
-        if (word.size() > 1 && word.front() == '-') {
-            const std::string name(word.substr(0, word.find('=')));
-            const CLI::Option* option = current->get_option_no_throw(name);
-            if (option == nullptr) {
-                return unknown_name("option", name, options_of(*current), help + " --help");
-            }
-            i += value_follows(option, word) ? 1 : 0;
-            continue;
-        }
-        std::vector<std::string> names;
-        const CLI::App* chosen = nullptr;
-        for (const CLI::App* sub : current->get_subcommands([](const CLI::App*) { return true; })) {
-            names.push_back(sub->get_name());
-            chosen = sub->get_name() == word ? sub : chosen;
-        }
-        if (chosen != nullptr) {
-            current = chosen;
-            help += " " + chosen->get_name();
-        } else if (!names.empty()) {
-            return unknown_name("subcommand", word, names, help + " --help");
-        }
-    }
-    return {};
-}
-
 bool takes_words(const CLI::App& sub) {
     const CLI::Option* const scene = sub.get_option_no_throw("scene");
     return scene != nullptr && scene->get_expected_max() > 1;
@@ -108,21 +73,29 @@ GivenScene given_scene(const std::vector<std::string>& words, std::string_view f
 
 std::vector<std::string> with_words(const CLI::App& app,
                                     const std::vector<std::string>& arguments) {
-    const auto subs = app.get_subcommands([&](const CLI::App* sub) {
-        return arguments.size() > 1 && sub->get_name() == arguments[1];
-    });
-    const CLI::App* const sub = subs.empty() ? nullptr : subs.front();
-    if (sub == nullptr || !takes_words(*sub)) {
-        return arguments;
+    std::vector<std::string> names;
+    const CLI::App* current = &app;
+    const std::string first = arguments.size() > 1 ? arguments[1] : "";
+    for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(sub->get_name());
+        current = sub->get_name() == first ? sub : current;
     }
-    std::vector<std::string> words{arguments[0], arguments[1]};
-    for (std::size_t i = 2; i < arguments.size(); ++i) {
+    bool checked = std::ranges::none_of(arguments, [](const std::string& word) {
+        return word == "-h" || word == "--help" || word == "--version";
+    });
+    const bool chosen = current != &app;
+    if (checked && !chosen && !first.empty() && !is_option(first)) {
+        throw unknown_name("subcommand", first, names, "edgeproof --help");
+    }
+    std::vector<std::string> words(arguments.begin(), arguments.begin() + (chosen ? 2 : 1));
+    for (std::size_t i = words.size(); i < arguments.size(); ++i) {
         const std::string& word = arguments[i];
         const std::size_t equals = std::min(word.find('='), word.size());
         std::string name = word.substr(0, equals);
         const CLI::Option* const option =
-            is_option(word) ? sub->get_option_no_throw(name) : nullptr;
-        const bool of_scene = word.starts_with("--") && option == nullptr;
+            is_option(word) ? current->get_option_no_throw(name) : nullptr;
+        const bool of_scene = word.starts_with("--") && option == nullptr && takes_words(*current);
+        checked = checked && word != "--";
         name = of_scene ? name.substr(2) : "";
         if (std::ranges::find(kinds, name) != std::end(kinds) && equals == word.size()) {
             words.push_back("kind=" + name);
@@ -133,6 +106,10 @@ std::vector<std::string> with_words(const CLI::App& app,
                                                        : name == "quantity" ? "quantities"
                                                                             : name);
         if (key == nullptr || name == "digits") {
+            if (checked && option == nullptr && is_option(word)) {
+                throw unknown_name("option", word.substr(0, equals), options_of(*current),
+                                   "edgeproof" + (chosen ? " " + first : "") + " --help");
+            }
             words.push_back(word);
             if (option != nullptr && value_follows(option, word) && i + 1 < arguments.size()) {
                 words.push_back(arguments[++i]);

@@ -69,12 +69,8 @@ int run_program(int argc, char** argv, const std::vector<Command>& commands) {
                 return 0;
             }
             words.erase(words.begin() + 1);
+            words = with_words(app, words);
             words.emplace_back("--help");
-            const std::string unknown = unknown_on_command_line(app, words);
-            if (!unknown.empty()) {
-                throw InputError(unknown.substr(0, unknown.find(';')),
-                                 unknown.substr(unknown.find(';') + 2));
-            }
         }
         if (is(1, "--write-manual") && words.size() == 3) { // used by the build
             write_manual(app, std::string(report::program_version), words[2]);
@@ -90,8 +86,7 @@ int run_program(int argc, char** argv, const std::vector<Command>& commands) {
         run_command(app, words);
         return code;
     } catch (const CLI::ParseError& e) {
-        const std::string unknown = unknown_on_command_line(app, words);
-        say_line(unknown.empty() ? std::string(e.what()) + "; see edgeproof --help" : unknown);
+        say_line(std::string(e.what()) + "; see edgeproof --help");
     } catch (const InputError& e) {
         if (e.file().empty()) {
             say_line(e.what());

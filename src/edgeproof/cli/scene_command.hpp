@@ -24,6 +24,8 @@ using scene::refuse_whole_tolerance;
 
 /// Returns the command line with words in place of options for keys of a scene, if its command
 /// takes a scene: `--R 100` becomes R=100, `--u 1e-3 0.1` u=1e-3,0.1, and `--hertz` kind=hertz.
+/// Throws InputError for an unknown subcommand or option ("did you mean --digits?"), unless help is
+/// asked for. Where the list of known names is long, the command that prints it is named instead.
 [[nodiscard]] std::vector<std::string> with_words(const CLI::App& app,
                                                   const std::vector<std::string>& arguments);
 

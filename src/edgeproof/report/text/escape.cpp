@@ -6,7 +6,6 @@
 #include <boost/locale/utf.hpp>
 
 #include <algorithm>
-#include <array>
 #include <initializer_list>
 #include <utility>
 
@@ -20,16 +19,7 @@ bool is_number(std::string_view text) {
 }
 
 /// Nearly all cells consist of these characters and are not changed.
-bool is_plain(char c) {
-    static constexpr auto plain = [] {
-        std::array<bool, 256> known{};
-        for (unsigned i = ' '; i <= '~'; ++i) {
-            known.at(i) = i != ',' && i != '"';
-        }
-        return known;
-    }();
-    return plain[static_cast<unsigned char>(c)];
-}
+bool is_plain(char c) { return c >= ' ' && c <= '~' && c != ',' && c != '"'; }
 
 using Replacements = std::initializer_list<std::pair<char, std::string_view>>;
 

@@ -73,9 +73,11 @@ TEST_CASE("third-party programs have the digits that they state, and the check c
         CAPTURE(program.run);
         if (have(program.needs)) {
             REQUIRE(programs.shell(program.build));
-            const Outcome o = ask(programs.folder, program.run, std::string("--digits ") + program.digits);
+            const Outcome o =
+                ask(programs.folder, program.run, std::string("--digits ") + program.digits);
             CHECK_MESSAGE(first_line(o.out) == all_pass, o.out);
-            CHECK(ask(programs.folder, program.run, std::string("--digits ") + program.too_many).code == 1);
+            CHECK(ask(programs.folder, program.run, std::string("--digits ") + program.too_many)
+                      .code == 1);
         }
     }
 }

@@ -101,11 +101,11 @@ TEST_CASE("table --check: a changed digit, a lost row, a row moved or added are 
     CHECK(said(joined(twice)).find("row " + lost + " occurs twice") != std::string::npos);
     // The head states what the table has, once.
     for (const auto& row : {std::pair{"digits: 20", "digits: 40"},
-                                     {"rounding: nearest", "rounding: down"},
-                                     {"estimates: 0", "estimates: 3"},
-                                     {"rows: 11", "rows: 12"},
-                                     {"digits: 20", "digits: 20\n# digits: 50"},
-                                     {"digits: 20", "many digits"}}) {
+                            {"rounding: nearest", "rounding: down"},
+                            {"estimates: 0", "estimates: 3"},
+                            {"rows: 11", "rows: 12"},
+                            {"digits: 20", "digits: 20\n# digits: 50"},
+                            {"digits: 20", "many digits"}}) {
         const std::string key = row.first;
         const std::string other = row.second;
         CAPTURE(other);
@@ -188,8 +188,7 @@ TEST_CASE(
     CHECK(run(folder, "table r.toml --part 1/3 --out p1.csv").err.empty());
 
     folder.write("spoilt.csv", spoilt_part);
-    for (const auto& row :
-         std::initializer_list<std::pair<const char*, const char*>>{
+    for (const auto& row : std::initializer_list<std::pair<const char*, const char*>>{
              {"--merge p1.csv p2.csv p3.csv",
               "p2.csv:1: this is a part of another table than p1.csv"},
              {"--merge p2.csv", "p2.csv:1: part 1 of 3 is not given"},

@@ -76,6 +76,21 @@ TEST_CASE("--verbose shows what was computed on stderr, and changes nothing else
     }
 }
 
+TEST_CASE("without places the rows are the values of the whole contact") {
+    // Hertz: a^2 = 4 P R/(pi E*) and p_max = 2 P/(pi a)
+    const Folder folder;
+    const char* const scene =
+        " kind=hertz R=1 P=pi/4 contact_modulus=1 --digits 3 --no-notes --format json";
+    for (const char* const command : {"pressure", "compute", "compute pressure"}) {
+        std::string all;
+        for (const auto& row :
+             nlohmann::json::parse(run(folder, command + std::string(scene)).out)["rows"]) {
+            all += row["quantity"].get<std::string>() + " " + row["value"].get<std::string>() + ";";
+        }
+        CHECK(all == "a 1.00;b 1.00;P 0.785;M 0;p_max 0.500;");
+    }
+}
+
 TEST_CASE("a pressure by a second route is marked as an estimate in every format") {
     const Folder folder;
     folder.write("s.toml", profile + load +

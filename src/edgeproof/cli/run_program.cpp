@@ -56,8 +56,14 @@ int run_program(int argc, char** argv, const std::vector<Command>& commands) {
     const auto is = [&](std::size_t i, std::string_view word) {
         return i < words.size() && words[i] == word;
     };
-    if (is(1, "compute")) { // compute SET
-        words.erase(words.begin() + 1);
+    if (is(1, "compute")) { // compute SET SCENE, or compute SCENE
+        const bool scene = words.size() > 2 && words[2].find_first_of("=.-") != std::string::npos &&
+                           !is(2, "--help") && !is(2, "-h");
+        if (scene) {
+            words[1] = "pressure";
+        } else {
+            words.erase(words.begin() + 1);
+        }
     }
     if (words.size() == 1) {
         words.emplace_back("--help");

@@ -98,6 +98,9 @@ TEST_CASE("third-party programs: each of the six deliberate mistakes of one prog
     if (!have("python3 -c 'import csv'")) {
         return;
     }
+    const Outcome right =
+        run(programs.folder, "check questions.toml --digits 13 -- python3 closed_forms.py");
+    CHECK(first_line(right.out) == all_pass); // found in PATH, without a shell that reads the words
     const Outcome o = ask(programs.folder, "python3 wrong_on_purpose.py", "--errors 100");
     CHECK(o.code == 1);
     for (const char* part :

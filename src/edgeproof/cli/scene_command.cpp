@@ -35,7 +35,7 @@ std::string power_of(const std::string& unit, int halves) {
 } // namespace
 
 bool is_short(const Options& o) {
-    return o.values.contains("--columns") &&
+    return o.values.contains("scene") && o.values.contains("--columns") &&
            (o["--format"] == "text" ||
             (o["--format"].empty() && o["--out"].empty() && ::isatty(STDOUT_FILENO) == 1));
 }
@@ -158,10 +158,10 @@ bool text_or_json(const std::string& format) {
     return format == "json";
 }
 
-std::vector<report::Plot> picture_of(const scene::Scene& scene) {
+std::vector<report::Plot> picture_of(const scene::Scene& scene, report::Panels panels) {
     Progress progress("values");
     return io::at_place(scene.file, scene.load_line,
-                        [&] { return report::scene_picture(scene, std::ref(progress)); });
+                        [&] { return report::scene_picture(scene, std::ref(progress), panels); });
 }
 
 void check_figure_option(const std::string& figure) {

@@ -75,7 +75,8 @@ void ask_for(scene::Scene& scene, const Options& options, scene::QuantityGroup o
 [[nodiscard]] bool text_or_json(const std::string& format);
 
 /// Draws the scene, with progress on a terminal.
-[[nodiscard]] std::vector<report::Plot> picture_of(const scene::Scene& scene);
+[[nodiscard]] std::vector<report::Plot> picture_of(const scene::Scene& scene,
+                                                   report::Panels panels = report::Panels::all);
 /// Checks the file of --figure before any work.
 void check_figure_option(const std::string& figure);
 

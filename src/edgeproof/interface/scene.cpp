@@ -272,7 +272,7 @@ std::string Scene::run(const Keys& asked) const {
     const scene::Scene scene = solved_->asking(asked);
     const scene::SceneResult result = run_scene(scene);
     const auto point = [](const scene::BodyPoint& p) {
-        return Json{p.body == scene::Body::A ? "A" : "B", p.x.text(), p.z.text()};
+        return Json{p.body == scene::Body::A ? "A" : "B", p.x_text(), p.z_text()};
     };
     return json_text(
         {{"rows", list_of(result.rows, [&](const scene::Row& row) { return row_of(scene, row); })},

@@ -62,6 +62,13 @@ TEST_CASE("table: the same bytes on any number of threads, every format, written
     CHECK(run(folder, "table h.toml --format md").out.find("0.70710678118654752440") !=
           std::string::npos);
     CHECK(run(folder, "table h.toml --format tex").out.find("\\bottomrule") != std::string::npos);
+    // One row a contact (a = 1: P = pi/4, c_0 = sqrt(1/2)), and chosen columns.
+    const std::string wide = run(folder, "table h.toml --wide").out;
+    CHECK(wide.find("c_0") != std::string::npos);
+    CHECK(wide.find(",0.70710678118654752440,") != std::string::npos);
+    CHECK(wide.find("checksum") == std::string::npos);
+    CHECK(run(folder, "table h.toml --columns quantity,value")
+              .out.find("\nP,0.78539816339744830962\n") != std::string::npos);
 }
 
 TEST_CASE("table --check: a changed digit, a lost row, a row moved or added are named") {

@@ -25,7 +25,8 @@ bool safe(const std::function<bool(const Expr&)>& test, const Expr& e) {
     }
 }
 
-bool accept(const RefutedFormula& refuted, const Expr& formula, Outcome& outcome) {
+bool accept(const RefutedFormula& refuted, const Expr& edited, Outcome& outcome) {
+    const Expr formula = with_one_number(edited);
     if (!safe(refuted.is_right, formula)) {
         return false;
     }
@@ -80,6 +81,12 @@ void find_correction(const RefutedFormula& refuted, Outcome& outcome) {
 void diagnose(const RefutedFormula& refuted, Outcome& outcome) {
     const std::string why = std::exchange(outcome.note, "");
     find_correction(refuted, outcome);
+    const bool constant = refuted.ratio && free_symbols(*refuted.ratio).empty();
+    if (outcome.correct && constant &&
+        outcome.note.find(" times the right one") == std::string::npos) {
+        outcome.note +=
+            "; the printed value is " + to_text(*refuted.ratio) + " times the exact one";
+    }
     if (outcome.verdict == Verdict::underspecified) { // what the formula lacks remains the finding
         outcome.note = outcome.correct ? why + "; " + outcome.note : why;
     }

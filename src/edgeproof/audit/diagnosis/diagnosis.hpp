@@ -28,6 +28,9 @@ struct EditAlphabet {
     std::vector<Expr> factors;        ///< factors that may have been lost
 };
 
+/// Returns the formula with one number in place of its integer factors: x/4 for x/2/2.
+[[nodiscard]] Expr with_one_number(const Expr& formula);
+
 /// Returns every single edit of the formula, sorted by cost and then by position in the text:
 /// signs, coefficients, exponents, roots, symbols and primes, factors lost, added or inverted, the
 /// sign of a bracket, an extra term. No edit is equal to the formula itself.

@@ -17,6 +17,35 @@ using Kind = Expr::Kind;
 Expr whole(long n) { return Expr::number(Rational(n)); }
 Expr fraction(long n, long d) { return whole(n) / whole(d); }
 
+/// The factors of a product of products, quotients and negatives.
+struct Factors {
+    Rational number{1}; ///< the product of the integers
+    std::vector<Expr> over;
+    std::vector<Expr> under;
+
+    void add(const Expr& e, bool inverse) {
+        if (e.kind() == Kind::mul || e.kind() == Kind::div) {
+            add(e.arg(0), inverse);
+            add(e.arg(1), inverse != (e.kind() == Kind::div));
+        } else if (e.kind() == Kind::neg) {
+            number = -number;
+            add(e.arg(0), inverse);
+        } else if (e.kind() == Kind::number && denominator(e.number()) == 1 && e.number() != 0) {
+            number *= inverse ? Rational(1 / e.number()) : e.number();
+        } else {
+            (inverse ? under : over).push_back(e);
+        }
+    }
+};
+
+Expr product_of(const Rational& n, const std::vector<Expr>& factors) {
+    Expr product = n == 1 && !factors.empty() ? factors.front() : Expr::number(n);
+    for (std::size_t i = n == 1 ? 1 : 0; i < factors.size(); ++i) {
+        product = product * factors[i];
+    }
+    return product;
+}
+
 class Editor {
 public:
     Editor(const Expr& formula, const EditAlphabet& alphabet)
@@ -53,7 +82,8 @@ private:
             before = at(formula_, around);
         }
         Expr edited = replace(formula_, path_, value);
-        edits_.push_back({edited, what, to_text(before), to_text(at(edited, around)), cost});
+        edits_.push_back(
+            {edited, what, to_text(before), to_text(with_one_number(at(edited, around))), cost});
     }
 
     [[nodiscard]] Kind parent_kind() const {
@@ -208,8 +238,16 @@ private:
             const Expr x = Expr::symbol(name);
             everywhere(pow(x, whole(2)), "exponent throughout");
             everywhere(Expr::call("sqrt", {x}), "root throughout");
-            everywhere(whole(2) * x, "factor missing throughout");
-            everywhere(x / whole(2), "factor missing throughout");
+            const bool radius = name == "R" || name == "R1" || name == "R2";
+            everywhere(whole(2) * x, radius        ? "radius for diameter"
+                                     : name == "a" ? "half for full width"
+                                                   : "factor missing throughout");
+            everywhere(x / whole(2), radius        ? "diameter for radius"
+                                     : name == "a" ? "full for half width"
+                                                   : "factor missing throughout");
+            if (name == "E" || name == "E1" || name == "E2") {
+                everywhere(Expr::symbol("Es"), "Young's modulus for E*");
+            }
             for (const std::string& other : alphabet_.symbols) {
                 if (other != name) {
                     everywhere(Expr::symbol(other), "symbol throughout");
@@ -366,6 +404,16 @@ private:
 };
 
 } // namespace
+
+Expr with_one_number(const Expr& formula) {
+    Factors f;
+    f.add(formula, false);
+    const Rational size = abs(f.number);
+    const Expr over = product_of(Rational(numerator(size)), f.over);
+    const Rational below(denominator(size));
+    const Expr all = below == 1 && f.under.empty() ? over : over / product_of(below, f.under);
+    return f.number < 0 ? -all : all;
+}
 
 std::vector<Edit> single_edits(const Expr& formula, const EditAlphabet& alphabet) {
     return Editor(formula, alphabet)();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -27,11 +28,21 @@ std::string number(const std::string& option, const std::string& text, double mo
     return fmt::format("{}", value);
 }
 
+/// The words of RECIPE -- PROGRAM ARGUMENTS as a command, each quoted, so that the shell reads none
+/// of them and only finds the program.
+std::string quoted_command(const std::vector<std::string>& words) {
+    std::string command = "exec";
+    for (const std::string& word : words) {
+        command += " '" + boost::replace_all_copy(word, "'", "'\\''") + "'";
+    }
+    return command;
+}
+
 void refuse_recipe(const Options& o) {
     if (std::filesystem::path(o["answers"]).extension() == ".toml") {
         throw InputError(
             "this is a TOML file, not answers (CSV)",
-            "add --exec 'COMMAND' to ask a program the questions of a recipe, or give a "
+            "add -- PROGRAM ARGUMENTS to ask a program the questions of a recipe, or give a "
             "ledger with --ledger")
             .at(o["answers"], 0);
     }
@@ -49,11 +60,14 @@ std::map<std::string, std::string, std::less<>> check_options(const Options& o) 
     if (!o["--ulps"].empty()) {
         asked["ulps"] = number("--ulps", o["--ulps"], most_ulps);
     }
-    if (!o["--exec"].empty()) {
-        require(o["--recipe"].empty(), "--recipe is given with --exec",
+    const std::vector<std::string>& program = o.list("program");
+    require(program.empty() || o["--exec"].empty(), "--exec is given with a program",
+            "give one of the two");
+    if (!program.empty() || !o["--exec"].empty()) {
+        require(o["--recipe"].empty(), "--recipe is given with a program",
                 "give the recipe alone, as the first");
         asked["recipe"] = o["answers"];
-        asked["command"] = o["--exec"];
+        asked["command"] = program.empty() ? o["--exec"] : quoted_command(program);
         asked["seconds"] = number("--timeout", o["--timeout"], 1e9);
         asked["batch"] = std::to_string(whole_number("--batch", o["--batch"], 1, 1'000'000));
         asked["runs"] = std::to_string(whole_number("--runs", o["--runs"], 1, 1'000'000));
@@ -81,7 +95,7 @@ int check(Options& o) {
         return check_ledger(o["--ledger"], threads_of(o["--threads"]));
     }
     require(!o["answers"].empty(), "there is nothing to check",
-            "give ANSWERS.csv, or RECIPE.toml with --exec, or --ledger FORMULAS.toml");
+            "give ANSWERS.csv, or RECIPE.toml -- PROGRAM, or --ledger FORMULAS.toml");
     io::check_output(o["--junit"]);
     io::check_output(o["--out"]);
     const std::size_t errors = whole_number("--errors", o["--errors"], 0, 1'000'000'000);

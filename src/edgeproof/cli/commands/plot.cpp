@@ -16,15 +16,44 @@ report::Plot contours_of(const Options& o, const scene::Scene& scene) {
                      "write sxx, szz, sxz, tau_max or mises");
 }
 
+report::Panels panels_named(const std::string& name) {
+    using enum report::Panels;
+    for (const auto& [known, panels] :
+         {std::pair{"all", all}, {"pressure", pressure}, {"errors", errors}}) {
+        if (name == known) {
+            return panels;
+        }
+    }
+    throw InputError("--panel " + name + ": there is no panel of this name",
+                     "write all, pressure or errors");
+}
+
+/// "85mm" or "8.5cm", in mm.
+double width_in_mm(const std::string& text) {
+    const bool mm = text.ends_with("mm");
+    require(mm || text.ends_with("cm"), "--width " + text + " has no unit",
+            "write it as 85mm or 8.5cm");
+    const Rational width = parse_decimal(text.substr(0, text.size() - 2)) * (mm ? 1 : 10);
+    require(width > 0 && width <= 2000, "--width " + text + " is out of range",
+            "give the width of a column or page, such as 85mm");
+    return width.convert_to<double>();
+}
+
 } // namespace
 
 int plot(Options& o) {
     const std::string& file = o["--out"];
     require(!file.empty(), "there is no file for the picture", "add --out pad.svg");
     check_figure_option(file);
+    const report::Panels panels = panels_named(o["--panel"]);
+    const double width = o["--width"].empty() ? 0 : width_in_mm(o["--width"]);
     const scene::Scene scene = asked_scene(o);
-    const std::string text = report::picture_file(
-        o["--field"].empty() ? picture_of(scene) : std::vector{contours_of(o, scene)}, file);
+    std::vector<report::Plot> plots =
+        o["--field"].empty() ? picture_of(scene, panels) : std::vector{contours_of(o, scene)};
+    for (report::Plot& plot : plots) {
+        plot.title = o.has("--no-title") ? "" : plot.title;
+    }
+    const std::string text = report::picture_file(plots, file, width);
     show_as_file(o);
     io::write_output(file, text);
     return 0;

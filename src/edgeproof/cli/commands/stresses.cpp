@@ -53,13 +53,13 @@ int greatest(Computing& c) {
 }
 
 /// Returns x of a place that depends on a or b.
-std::string x_of(const Computing& c, const scene::AskedPoint& point) {
-    if (const auto number = point.place->number()) {
+std::string x_of(const Computing& c, const scene::Place& place) {
+    if (const auto number = place.number()) {
         return decimal_text(*number, c.scene.ask.digits);
     }
     const Ball& a = c.result.at(Quantity::a).value;
     const Ball& b = c.result.at(Quantity::b).value;
-    const Ball x = point.distance(contact::Edge::right).x_enclosure(a, b, a.bits());
+    const Ball x = place.distance(contact::Edge::right).x_enclosure(a, b, a.bits());
     return printed({x, true, "", {}}, c.scene.ask.digits).text;
 }
 
@@ -118,21 +118,27 @@ int stress(Options& o) {
     c.add_slip_facts();
     c.table.asked = "stresses at the place x and the depth z of a body";
     const std::string length = unit_of(c.scene, Quantity::x);
-    c.add_rows(
-        lines_of(c.result.at_places(scene::QuantityRow::Place::body)),
-        [&](Row& row, const Line& line) {
-            using Kind = report::Column::Kind;
-            const scene::BodyPoint& point = points[line.at.point()];
-            row.text("body", c.body, "body {}");
-            row.add("x", Kind::number, decimal_text(point.x, c.scene.ask.digits)).unit = length;
-            row.add("z", Kind::number, decimal_text(point.z, c.scene.ask.digits)).unit = length;
-            for (const scene::QuantityRow& def : scene::quantity_rows()) {
-                if (def.group == QuantityGroup::stress && is_known(c.scene, def.quantity, body)) {
-                    row.value(std::string(def.name), "", def.quantity);
-                }
-            }
-            row.route(line.at.row(Quantity::sxx).value->how());
-        });
+    c.add_rows(lines_of(c.result.at_places(scene::QuantityRow::Place::body)),
+               [&](Row& row, const Line& line) {
+                   using Kind = report::Column::Kind;
+                   const scene::BodyPoint& point = points[line.at.point()];
+                   row.text("body", c.body, "body {}");
+                   const auto place = [&](const std::string& name, const formula::Exact& number,
+                                          const std::optional<scene::Place>& formula) {
+                       const std::string text =
+                           formula ? x_of(c, *formula) : decimal_text(number, c.scene.ask.digits);
+                       row.add(name, Kind::number, text).unit = length;
+                   };
+                   place("x", point.x, point.x_formula);
+                   place("z", point.z, point.z_formula);
+                   for (const scene::QuantityRow& def : scene::quantity_rows()) {
+                       if (def.group == QuantityGroup::stress &&
+                           is_known(c.scene, def.quantity, body)) {
+                           row.value(std::string(def.name), "", def.quantity);
+                       }
+                   }
+                   row.route(line.at.row(Quantity::sxx).value->how());
+               });
     return c.write();
 }
 
@@ -176,20 +182,20 @@ int displacement(Options& o) {
                "dissipation: the energy that friction takes, per area, in a cycle from -Q to Q and "
                "back, P held");
     }
-    c.add_rows(
-        lines_of(c.result.at_places(scene::QuantityRow::Place::surface)),
-        [&](Row& row, const Line& line) {
-            row.add("x", report::Column::Kind::number, x_of(c, ask.u[line.at.point()])).unit =
-                unit_of(c.scene, Quantity::x);
-            for (const Quantity quantity :
-                 {Quantity::gap, Quantity::slip_displacement, Quantity::ux, Quantity::uz,
-                  Quantity::slope, Quantity::dissipation}) {
-                if (ask.reference || row_of(quantity).group == QuantityGroup::displacement) {
-                    row.value(std::string(row_of(quantity).name), "", quantity);
-                }
-            }
-            row.route(line.at.begin()->value->how());
-        });
+    c.add_rows(lines_of(c.result.at_places(scene::QuantityRow::Place::surface)),
+               [&](Row& row, const Line& line) {
+                   row.add("x", report::Column::Kind::number,
+                           x_of(c, *ask.u[line.at.point()].place))
+                       .unit = unit_of(c.scene, Quantity::x);
+                   for (const Quantity quantity :
+                        {Quantity::gap, Quantity::slip_displacement, Quantity::ux, Quantity::uz,
+                         Quantity::slope, Quantity::dissipation}) {
+                       if (ask.reference || row_of(quantity).group == QuantityGroup::displacement) {
+                           row.value(std::string(row_of(quantity).name), "", quantity);
+                       }
+                   }
+                   row.route(line.at.begin()->value->how());
+               });
     return c.write();
 }
 

@@ -84,6 +84,10 @@ int table(Options& o) {
          "write edgeproof table RECIPE, or edgeproof table --merge PART... --out FILE");
     need(o["--every"].empty() || o.has("--check"),
          "--every " + o["--every"] + " takes a sample of a check", "add --check");
+    const bool shaped = o.has("--wide") || !o["--columns"].empty();
+    need(!shaped || (o["--part"].empty() && o.list("--merge").empty() && !o.has("--check") &&
+                     !o.has("--questions")),
+         "--wide and --columns shape a whole table for reading", "leave the other options out");
     need((o["--part"].empty() && o.list("--merge").empty()) || !o.has("--check"),
          "--check compares a whole table", "leave --check out");
     if (!o["--out"].empty() && !o.has("--check")) {
@@ -113,9 +117,16 @@ int table(Options& o) {
              "--part writes a file in CSV, with its notes", "add --out FILE.csv");
         return make_part(o, recipe);
     }
-    emit(report::reference_table(recipe, recipe.questions,
-                                 reference_values(o, recipe, recipe.questions)),
-         o);
+    const std::vector<conformance::Reference> values =
+        reference_values(o, recipe, recipe.questions);
+    report::Table table = o.has("--wide")
+                              ? report::wide_table(recipe, values)
+                              : report::reference_table(recipe, recipe.questions, values);
+    if (!o["--columns"].empty()) { // the checksum is that of all columns
+        std::erase_if(table.facts,
+                      [](const report::Fact& f) { return f.key == report::checksum_key; });
+    }
+    emit(table, o);
     return 0;
 }
 

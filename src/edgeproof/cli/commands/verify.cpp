@@ -2,6 +2,8 @@
 #include "edgeproof/cli/scene_command.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -39,8 +41,57 @@ int report_claim_errors(const std::vector<audit::ClaimError>& errors) {
 /// Returns the command for the report. The output folder is left out, so that the report is the
 /// same everywhere.
 std::string command_text(const Options& o) {
-    return "edgeproof verify " + o["ledger"] + " --digits " + o["--digits"] +
+    const std::string what = o["--says"].empty()
+                                 ? o["ledger"]
+                                 : fmt::format("--says '{}' --of '{}' {}", o["--says"], o["--of"],
+                                               fmt::join(o.list("ledger"), " "));
+    return "edgeproof verify " + what + " --digits " + o["--digits"] +
            (o["--only"] == "*" ? "" : " --only '" + o["--only"] + "'");
+}
+
+std::string toml_text(const std::string& text) {
+    using Json = nlohmann::json; // whose texts are texts of TOML, too
+    return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+/// Returns the ledger of one formula. The given values are drawn, and, of lengths, loads and moduli
+/// that have one value, two multiples of it: one contact would not tell P from 10*R.
+audit::Ledger ledger_of_formula(const Options& o) {
+    static constexpr std::string_view varied = " R R1 R2 C P Es E E1 E2 ";
+    require(!o["--of"].empty(), "--says has no quantity to compare the formula with",
+            "add --of, such as --of \"p(0)\"");
+    std::string profile;
+    std::string family;
+    std::string parameters;
+    for (const std::string& word : o.list("ledger")) {
+        const std::size_t equals = word.find('=');
+        const std::string key = equals == std::string::npos ? "kind" : word.substr(0, equals);
+        const std::string value = equals == std::string::npos ? word : word.substr(equals + 1);
+        if (key == "kind" || key == "geometry") {
+            family += (key == "kind" ? "profile" : key) + " = " + toml_text(value) + "\n";
+            profile += key == "kind" ? value : "";
+            continue;
+        }
+        std::vector<std::string> values = parts_of(value);
+        if (values.size() == 1 && varied.find(' ' + key + ' ') != std::string_view::npos) {
+            values.push_back("7/5*(" + value + ")");
+            values.push_back("9/4*(" + value + ")");
+        }
+        std::string list;
+        for (const std::string& one : values) {
+            list += (list.empty() ? "" : ", ") + toml_text(one);
+        }
+        (key == "knots" || key == "slopes" || key == "u" ? family : parameters) +=
+            toml_text(key) + " = [" + list + "]\n";
+    }
+    require(!profile.empty(), "--says has no contact for the formula",
+            "write a kind of profile and values of its keys: hertz R=10 P=100 Es=1");
+    return audit::parse_ledger(
+        "[ledger]\nname = \"formula\"\n[[family]]\nname = \"contact\"\n" + family +
+            "[family.parameters]\n" + parameters +
+            "[[claim]]\nid = \"formula\"\nkind = \"compare\"\nover = \"contact\"\nsays = " +
+            toml_text(o["--says"]) + "\nof = " + toml_text(o["--of"]) + "\n",
+        "command line", audit::ClaimErrors::kept);
 }
 
 void write_files(const audit::AuditResult& result, const audit::Ledger& ledger,
@@ -58,15 +109,21 @@ void write_files(const audit::AuditResult& result, const audit::Ledger& ledger,
 } // namespace
 
 int verify(Options& o) {
-    o["ledger"] = file_or_shipped(o["ledger"], shipped_ledgers);
+    const bool formula = !o["--says"].empty();
+    if (!formula) {
+        require(o.list("ledger").size() == 1 && o["--of"].empty(), "verify takes one ledger",
+                "give its file, or a formula with --says and --of");
+        o["ledger"] = file_or_shipped(o.list("ledger").front(), shipped_ledgers);
+    }
     const std::size_t digits =
         whole_number("--digits", o["--digits"], 10, most_digits_of_a_formula);
     const bool record = o.has("--record");
     require(!record || o["--only"] == "*", "--record with --only would forget the other claims",
             "record all of them");
-    require(!record || o["ledger"] != "-",
+    require(!record || (o["ledger"] != "-" && !formula),
             "--record needs a ledger's name to store the record next to it", "give its file");
-    const audit::Ledger ledger = read_ledger(o["ledger"], audit::ClaimErrors::kept);
+    const audit::Ledger ledger =
+        formula ? ledger_of_formula(o) : read_ledger(o["ledger"], audit::ClaimErrors::kept);
     if (ledger.claims.empty() && !ledger.errors.empty()) {
         return report_claim_errors(ledger.errors);
     }
@@ -103,7 +160,7 @@ int verify(Options& o) {
         std::printf("recorded in %s\n", golden.string().c_str());
         return failing;
     }
-    if (!report::has_golden_file(o["ledger"])) {
+    if (formula || !report::has_golden_file(o["ledger"])) {
         return failing;
     }
     const std::vector<std::string> differences =

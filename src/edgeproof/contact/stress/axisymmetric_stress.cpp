@@ -66,14 +66,13 @@ Ball AxisymmetricStress::on_axis_below(const Ball& S) const {
 }
 
 // docs/axisymmetric.md, "Stresses": with A = F_1 and B = z^2 F_2.
-StressState AxisymmetricStress::on_axis(const Exact& z) const {
+StressState AxisymmetricStress::on_axis(const Ball& z) const {
     const long bits = contact_.bits();
-    if (z.sign() == 0 && apex_) {
+    const bool on_surface = (z.is_exact() && contains_zero(z));
+    if (on_surface && apex_) {
         throw DomainError("the stress is infinite at the apex of the profile");
     }
-    const bool on_surface = z.sign() == 0;
-    const Ball depth = ball_of(z, bits);
-    const Ball w = depth * depth;
+    const Ball w = z * z;
     const Ball A = on_surface ? on_axis_below(contact_.a()) : moment(w, 1);
     const Ball B = on_surface ? Ball(0, bits) : w * moment(w, 2);
     const Ball scale = contact_.modulus() / Ball::pi(bits);
@@ -83,10 +82,8 @@ StressState AxisymmetricStress::on_axis(const Exact& z) const {
 }
 
 // docs/axisymmetric.md, "Inside the body", with tau = z + i s and R^2 = r^2 + tau^2
-StressState AxisymmetricStress::inside(const Exact& r, const Exact& z) const {
+StressState AxisymmetricStress::inside(const Ball& radius, const Ball& depth) const {
     const long bits = contact_.bits();
-    const Ball radius = ball_of(r, bits);
-    const Ball depth = ball_of(z, bits);
     const auto imaginary_part = [&](const auto& f) {
         const auto integrand = [&](const Box& s) {
             const Box tau = times_i(s) + depth;
@@ -116,9 +113,9 @@ StressState AxisymmetricStress::inside(const Exact& r, const Exact& z) const {
 }
 
 // The force inside r is P - 2 E* times the integral of h'(s) sqrt(s^2 - r^2) over r < s < a.
-StressState AxisymmetricStress::on_surface(const Exact& r) const {
+StressState AxisymmetricStress::on_surface(const Ball& radius,
+                                           const std::optional<Exact>& known) const {
     const long bits = contact_.bits();
-    const Ball radius = ball_of(r, bits);
     const Ball beyond = radius - contact_.a();
     const Ball pi = Ball::pi(bits);
     Ball p(0, bits);
@@ -126,8 +123,10 @@ StressState AxisymmetricStress::on_surface(const Exact& r) const {
     if (!certainly_positive(beyond)) {
         const Ball& a = contact_.a();
         if (of_revolution_ != nullptr) {
-            p = of_revolution_->pressure(Edge::right, -beyond, r);
-            inner -= contact_.modulus() / pi * of_revolution_->outer_moment(r);
+            require(known.has_value(), "the radius of a place on the surface depends on a and b",
+                    "give it as a number, or by x to the command pressure");
+            p = of_revolution_->pressure(Edge::right, -beyond, *known);
+            inner -= contact_.modulus() / pi * of_revolution_->outer_moment(*known);
         } else {
             // (m + 2) times the integral is h'(a) a W - r^2 pi p/E*
             const Ball from_edge = clamped(-beyond);

@@ -4,6 +4,7 @@
 #include "edgeproof/contact/stress/plane_stress.hpp"
 
 #include <cstddef>
+#include <optional>
 
 namespace edgeproof::contact {
 
@@ -19,12 +20,13 @@ public:
     AxisymmetricStress(const ProvedContact& contact, const Ball& force, const Ball& poisson);
 
     /// At the depth z >= 0 (length) on the axis. Throws DomainError at a corner of the profile.
-    [[nodiscard]] StressState on_axis(const Exact& z) const;
-    /// At the radius r > 0 (length) on the surface. Throws DomainError at a corner.
-    [[nodiscard]] StressState on_surface(const Exact& r) const;
+    [[nodiscard]] StressState on_axis(const Ball& z) const;
+    /// At the radius r > 0 (length) on the surface; `known` is r, if it is an exact number. Throws
+    /// DomainError at a corner, and InputError where an integral needs `known`.
+    [[nodiscard]] StressState on_surface(const Ball& r, const std::optional<Exact>& known) const;
 
     /// At the radius r > 0 and the depth z > 0 (lengths).
-    [[nodiscard]] StressState inside(const Exact& r, const Exact& z) const;
+    [[nodiscard]] StressState inside(const Ball& r, const Ball& z) const;
 
     /// The greatest tau_max on the axis and its depth, by branch and bound: both are proved.
     struct Greatest {

@@ -14,10 +14,11 @@
 
 namespace edgeproof::io {
 
-/// The value { from = "...", to = "..." }.
+/// The value { from = "...", to = "..." }, with `points = N` for N > 0.
 struct TomlRange {
     std::string from;
     std::string to;
+    long points = 0;
 };
 /// A key of a table made in memory.
 struct TomlEntry {

@@ -14,9 +14,8 @@
 namespace edgeproof::report::svg {
 namespace {
 
-constexpr int width = 390;
 constexpr int bar_width = 14;
-constexpr int bar_left = left_margin + width + 16;
+constexpr int beside = 170; ///< the width of a panel without the drawing
 constexpr int colours = 60;
 /// The scale ends at this quantile of the sizes if the greatest is more than `most_times` as large:
 /// near a place where the stress is infinite it would take the whole scale.
@@ -43,7 +42,7 @@ template <std::size_t n> std::string mixed(const std::array<Colour, n>& stops, d
 
 class Field {
 public:
-    explicit Field(const Plot& plot) : plot_(plot), field_(*plot.field) {
+    Field(const Plot& plot, int panel) : plot_(plot), field_(*plot.field), width_(panel - beside) {
         std::vector<double> sizes;
         for (std::size_t i = 0; i < field_.values.size(); ++i) {
             const double value = field_.values[i];
@@ -72,7 +71,7 @@ public:
     [[nodiscard]] Panel drawn() const {
         const double aspect =
             (field_.y.back() - field_.y.front()) / (field_.x.back() - field_.x.front());
-        const int height = static_cast<int>(std::lround(width * std::clamp(aspect, 0.2, 1.0)));
+        const int height = static_cast<int>(std::lround(width_ * std::clamp(aspect, 0.2, 1.0)));
         Axis x_axis = plot_.x;
         Axis y_axis = plot_.y;
         x_axis.range = {text_of(field_.x.front()), text_of(field_.x.back())};
@@ -80,12 +79,12 @@ public:
         const Scale x(x_axis, {}, false);
         const Scale y(y_axis, {}, false);
         std::string text = fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\">\n",
-                                       left_margin, top_margin, width, height) +
+                                       left_margin, top_margin, width_, height) +
                            cells(height) + lines(height) + "</svg>\n" +
-                           axes(x, y, plot_, width, height, true);
+                           axes(x, y, plot_, width_, height, true);
         const auto across = [&](double at) {
             return left_margin +
-                   width * (at - field_.x.front()) / (field_.x.back() - field_.x.front());
+                   width_ * (at - field_.x.front()) / (field_.x.back() - field_.x.front());
         };
         text += fmt::format("<path d=\"M{0} {1}H{2}M{0} {3}v8M{2} {3}v8\" fill=\"none\" "
                             "stroke=\"currentColor\" stroke-width=\"3\"/>\n",
@@ -118,7 +117,7 @@ private:
 
     /// Runs of cells with one colour. A cell has its point in the middle.
     [[nodiscard]] std::string cells(int height) const {
-        const double dx = width / static_cast<double>(field_.x.size() - 1);
+        const double dx = width_ / static_cast<double>(field_.x.size() - 1);
         const double dy = height / static_cast<double>(field_.y.size() - 1);
         std::map<std::string, std::string> paths; // by colour
         for (std::size_t j = 0; j < field_.y.size(); ++j) {
@@ -155,7 +154,7 @@ private:
     /// The lines of the values at the ticks of the bar. Each cell between four points is cut into
     /// two triangles, in which a line is straight.
     [[nodiscard]] std::string lines(int height) const {
-        const double dx = width / static_cast<double>(field_.x.size() - 1);
+        const double dx = width_ / static_cast<double>(field_.x.size() - 1);
         const double dy = height / static_cast<double>(field_.y.size() - 1);
         std::string path;
         struct Corner {
@@ -204,13 +203,14 @@ private:
         for (int k = 0; k < steps; ++k) {
             const double part = (k + 0.5) / steps;
             text += fmt::format(
-                "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n", bar_left,
-                number(top_margin + height * (1 - (k + 1.0) / steps)), bar_width,
-                number(height / double{steps} + 0.3), colour_of(low_ + part * (high_ - low_)));
+                "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n",
+                (left_margin + width_ + 16), number(top_margin + height * (1 - (k + 1.0) / steps)),
+                bar_width, number(height / double{steps} + 0.3),
+                colour_of(low_ + part * (high_ - low_)));
         }
         const auto label = [&](double part, const std::string& words) {
-            text += text_at(bar_left + bar_width + 5, top_margin + height * (1 - part) + 4, "start",
-                            11, words);
+            text += text_at((left_margin + width_ + 16) + bar_width + 5,
+                            top_margin + height * (1 - part) + 4, "start", 11, words);
         };
         constexpr double apart = 0.06; // a label there would overlap that of an end
         for (const Scale::Tick& tick : scale().ticks()) {
@@ -225,7 +225,8 @@ private:
         if (under()) {
             label(0, fmt::format("&lt; {:.3g}", low_));
         }
-        return text + text_at(bar_left - 2, top_margin - 8, "start", 12, escape_html(field_.title));
+        return text + text_at((left_margin + width_ + 16) - 2, top_margin - 8, "start", 12,
+                              escape_html(field_.title));
     }
     [[nodiscard]] bool over() const {
         return std::ranges::any_of(field_.values,
@@ -238,6 +239,7 @@ private:
 
     const Plot& plot_;
     const PlaneField& field_;
+    int width_; ///< of the drawing
     double low_ = HUGE_VAL;
     double high_ = -HUGE_VAL;
     double limit_ = 0; ///< the greatest size on the scale
@@ -246,6 +248,6 @@ private:
 
 } // namespace
 
-Panel contours(const Plot& plot) { return Field(plot).drawn(); }
+Panel contours(const Plot& plot, int width) { return Field(plot, width).drawn(); }
 
 } // namespace edgeproof::report::svg

@@ -135,9 +135,9 @@ void check_picture_name(const std::string& file) {
             file + " is neither .svg, .png nor .pdf", "name the file so");
 }
 
-std::string picture_file(const std::vector<Plot>& plots, const std::string& file) {
+std::string picture_file(const std::vector<Plot>& plots, const std::string& file, double width_mm) {
     const std::string ending = std::filesystem::path(file).extension();
-    const std::string svg = draw_svg(plots);
+    const std::string svg = draw_svg(plots, width_mm);
     return ending == ".svg" ? svg : converted_svg(svg, ending.substr(1));
 }
 

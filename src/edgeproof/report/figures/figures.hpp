@@ -76,8 +76,10 @@ inline constexpr unsigned figure_digits = 20;
 
 /// Draws the plots in one line as SVG. Positions are computed with `Real` and rounded to a tenth of
 /// a pixel, so that the picture is the same on every machine. Text and axes have the colour of the
-/// page's text. Throws Error for a plot without data.
-[[nodiscard]] std::string draw_svg(const std::vector<Plot>& plots);
+/// page's text. `width_mm`: the width in print (mm), at which no text is smaller than 7 pt; 0: one
+/// pixel of the screen for each of the drawing. Throws Error for a plot without data, and
+/// InputError for a width without room for that text.
+[[nodiscard]] std::string draw_svg(const std::vector<Plot>& plots, double width_mm = 0);
 
 /// Prepares the SVG of one plot for a page: with unique ids and without a background.
 [[nodiscard]] std::string inline_svg(const std::string& svg, const Plot& plot);
@@ -92,6 +94,7 @@ void check_picture_name(const std::string& file);
 /// Returns the picture in the format of the file's ending. `rsvg-convert` makes a .png (with two
 /// pixels for each of the SVG) and a .pdf. Throws InputError if there is no such program, Error if
 /// it fails.
-[[nodiscard]] std::string picture_file(const std::vector<Plot>& plots, const std::string& file);
+[[nodiscard]] std::string picture_file(const std::vector<Plot>& plots, const std::string& file,
+                                       double width_mm = 0);
 
 } // namespace edgeproof::report

@@ -18,12 +18,15 @@ namespace {
 
 using svg::drawing_height;
 using svg::left_margin;
-using svg::panel_width;
 using svg::Scale;
 using svg::text_at;
 using svg::top_margin;
 
 // Lengths in pixels.
+constexpr int usual_panel = 560;        ///< the width of a panel
+constexpr int narrowest_panel = 320;    ///< that holds its axes and the names of curves
+constexpr int narrowest_contours = 480; ///< that hold the line below them
+constexpr int smallest_text = 10;
 constexpr int right_margin = 18;
 constexpr int bottom_margin = 52;
 constexpr int legend_line = 20;
@@ -77,8 +80,8 @@ std::string point(double x, double y, const Pen& pen) {
 
 class Panel {
 public:
-    explicit Panel(const Plot& plot)
-        : plot_(plot), x_(plot.x, column(0), false), y_(plot.y, heights(), true) {}
+    Panel(const Plot& plot, int panel)
+        : plot_(plot), panel_(panel), x_(plot.x, column(0), false), y_(plot.y, heights(), true) {}
 
     [[nodiscard]] svg::Panel drawn() const { return {text(), height()}; }
 
@@ -104,11 +107,14 @@ private:
         return top_margin + drawing_height + bottom_margin +
                legend_line * ((names + legend_columns() - 1) / legend_columns()) + 8;
     }
-    [[nodiscard]] static int width() { return panel_width - left_margin - right_margin; }
+    [[nodiscard]] int width() const { return panel_ - left_margin - right_margin; }
     [[nodiscard]] int legend_columns() const {
         const bool all_short = std::ranges::all_of(
             plot_.curves, [](const Curve& c) { return c.title.size() <= short_name; });
-        return all_short && (!plot_.level || plot_.level->second.size() <= short_name) ? 2 : 1;
+        return panel_ == usual_panel && all_short &&
+                       (!plot_.level || plot_.level->second.size() <= short_name)
+                   ? 2
+                   : 1;
     }
     [[nodiscard]] Real on_axis(const Real& y) const { return plot_.y.percent ? Real(100 * y) : y; }
     [[nodiscard]] std::vector<Real> column(std::size_t i) const {
@@ -191,13 +197,38 @@ private:
     }
 
     const Plot& plot_;
+    int panel_; ///< its width
     Scale x_;
     Scale y_;
 };
 
 } // namespace
 
-std::string draw_svg(const std::vector<Plot>& plots) {
+namespace {
+
+/// Returns the width of a panel at which the smallest text has 7 pt in print, but at most the usual
+/// one. 0 mm: the usual one.
+int panel_for(const std::vector<Plot>& plots, double width_mm) {
+    const double pixels_of_mm = 72 / 25.4 * smallest_text / 7; // 72 pt an inch
+    const auto panels = static_cast<double>(plots.size());
+    const double pixels = width_mm * pixels_of_mm / panels;
+    const bool contours =
+        std::ranges::any_of(plots, [](const Plot& p) { return p.field.has_value(); });
+    const int least = contours ? narrowest_contours : narrowest_panel;
+    require(width_mm == 0 || pixels >= least,
+            fmt::format("a picture {:g} mm wide has no room for {} with text of 7 pt", width_mm,
+                        contours            ? "contours"
+                        : plots.size() == 1 ? "a panel"
+                                            : std::to_string(plots.size()) + " panels"),
+            fmt::format("give {:.0f} mm or more{}", std::ceil(least * panels / pixels_of_mm),
+                        plots.size() > 1 ? ", or one panel" : ""));
+    return width_mm == 0 ? usual_panel : std::min(usual_panel, static_cast<int>(pixels));
+}
+
+} // namespace
+
+std::string draw_svg(const std::vector<Plot>& plots, double width_mm) {
+    const int panel_width = panel_for(plots, width_mm);
     const PrecisionScope scope(figure_digits + 10);
     std::string panels;
     std::string title;
@@ -205,7 +236,8 @@ std::string draw_svg(const std::vector<Plot>& plots) {
     int height = 0;
     int from_left = 0;
     for (const Plot& plot : plots) {
-        const svg::Panel panel = plot.field ? svg::contours(plot) : Panel(plot).drawn();
+        const svg::Panel panel =
+            plot.field ? svg::contours(plot, panel_width) : Panel(plot, panel_width).drawn();
         panels += fmt::format("<g transform=\"translate({} 0)\">\n", from_left) +
                   text_at(panel_width / 2.0, 20, "middle", 15, escape_html(plot.title)) +
                   panel.text + "</g>\n";
@@ -214,11 +246,16 @@ std::string draw_svg(const std::vector<Plot>& plots) {
         title += (title.empty() ? "" : "; ") + plot.title;
         description += (description.empty() ? "" : " ") + plot.description;
     }
-    return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
+    const auto printed = [&](int pixels) {
+        return width_mm == 0 ? std::to_string(pixels)
+                             : fmt::format("{:.2f}mm", pixels * width_mm / from_left);
+    };
+    return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{6}\" height=\"{7}\" "
                        "viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\" fill=\"currentColor\">\n"
                        "<title>{2}</title>\n<desc>{3}</desc>\n<metadata>{4}</metadata>\n{5}\n",
                        from_left, height, escape_html(title), escape_html(description),
-                       escape_html(program_line()), background) +
+                       escape_html(program_line()), background, printed(from_left),
+                       printed(height)) +
            panels + "</svg>\n";
 }
 

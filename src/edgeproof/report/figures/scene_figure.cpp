@@ -268,12 +268,15 @@ private:
                 plot.rows[k].back() = sum(of.c, n, Real((a_ + b_) * part));
             }
         }
-        plot.add_curve(id + "_exit", "leaves " + in_percent(*scene_.ask.tolerance),
-                       exit_pen(number));
         if (of.exits[i]) {
             const Real& u = *of.exits[i];
+            plot.add_curve(id + "_exit", reach_text(n, u), exit_pen(number));
             plot.add_row(right ? Real(a_ - u) : Real(u - b_)).back() = sum(of.c, n, u);
         }
+    }
+    [[nodiscard]] std::string reach_text(std::size_t n, const Real& u) const {
+        return in_terms(n) + " within " + in_percent(*scene_.ask.tolerance) +
+               " up to u = " + u.str(3);
     }
     [[nodiscard]] static Pen exit_pen(std::size_t i) {
         return {pen_of(i).colour, 0, exit_points[i % exit_points.size()], 2};
@@ -317,7 +320,7 @@ private:
         for (std::size_t i = 0; i < scene_.ask.terms.size(); ++i) {
             if (of.exits[i]) {
                 plot.add_curve("exit" + std::to_string(scene_.ask.terms[i]),
-                               "leaves it at u = " + of.exits[i]->str(3), exit_pen(i));
+                               reach_text(scene_.ask.terms[i], *of.exits[i]), exit_pen(i));
                 plot.add_row(*of.exits[i]).back() = scene_.ask.tolerance->to<Real>();
             }
         }

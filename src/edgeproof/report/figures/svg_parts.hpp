@@ -9,7 +9,6 @@
 /// What the drawings of curves and of contours share. Lengths are in pixels.
 namespace edgeproof::report::svg {
 
-inline constexpr int panel_width = 560;
 inline constexpr int left_margin = 74;
 inline constexpr int top_margin = 34;
 inline constexpr int drawing_height = 320;
@@ -51,12 +50,12 @@ private:
 [[nodiscard]] std::string axes(const Scale& x, const Scale& y, const Plot& plot, int width,
                                int height, bool downwards);
 
-/// A panel with the contours of plot.field, and its height.
+/// A panel with the contours of plot.field, as wide as asked for (pixels), and its height.
 struct Panel {
     std::string text;
     int height;
 };
 /// Throws Error for a field without a finite value.
-[[nodiscard]] Panel contours(const Plot& plot);
+[[nodiscard]] Panel contours(const Plot& plot, int width);
 
 } // namespace edgeproof::report::svg

@@ -213,6 +213,63 @@ Table reference_table(const conformance::Recipe& recipe, const conformance::Ques
     return table;
 }
 
+Table wide_table(const conformance::Recipe& recipe,
+                 const std::vector<conformance::Reference>& values) {
+    Table table = reference_table(recipe, recipe.questions, values);
+    std::erase_if(table.facts,
+                  [](const Fact& f) { return f.key == checksum_key || f.key == "rows"; });
+    std::erase_if(table.notes, [](const std::string& note) {
+        return note.starts_with("binary64") || note.starts_with("|value");
+    });
+    table.notes.emplace_back("every digit of the values is right");
+    const auto column = [&](std::string_view name) {
+        return static_cast<std::size_t>(std::ranges::find(table.columns, name, &Column::name) -
+                                        table.columns.begin());
+    };
+    const std::size_t parameters = recipe.questions.columns().size();
+    const std::size_t value = column("value");
+    std::vector<Column> columns(table.columns.begin() + 1,
+                                table.columns.begin() + 1 +
+                                    static_cast<std::ptrdiff_t>(parameters));
+    std::map<std::size_t, std::vector<std::string>> rows; // by the contact
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        require(values[i].value.proved, "a wide table has no place for the routes of estimates",
+                "leave --wide out, or the route of the recipe");
+        const std::vector<std::string>& cells = table.rows[i];
+        // The name of the quantity with what distinguishes the question: "c_0 left", "p u=1e-3".
+        std::string name = cells[column("quantity")];
+        for (const std::string_view key : {"body", "edge", "tolerance", "u"}) {
+            const std::size_t at = column(key);
+            if (at < cells.size() && !cells[at].empty() && cells[at] != "right") {
+                name += (key == "edge" || key == "body" ? " " : " " + std::string(key) + "=") +
+                        cells[at];
+            }
+        }
+        if (recipe.questions.list[i].in_body) {
+            name += " x=" + cells[column("x")] + " z=" + cells[column("z")];
+        }
+        const auto found = std::ranges::find(columns, name, &Column::name);
+        const auto at = static_cast<std::size_t>(found - columns.begin());
+        if (found == columns.end()) {
+            columns.push_back({name});
+        }
+        std::vector<std::string>& row = rows[recipe.questions.list[i].contact];
+        if (row.empty()) {
+            row.assign(cells.begin() + 1,
+                       cells.begin() + 1 + static_cast<std::ptrdiff_t>(parameters));
+        }
+        row.resize(std::max(row.size(), at + 1));
+        row[at] = cells[value];
+    }
+    table.columns = std::move(columns);
+    table.rows.clear();
+    for (auto& [contact, row] : rows) {
+        row.resize(table.columns.size());
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
 namespace {
 
 /// Returns the facts that the head of a table states wrongly, or does not state, a sentence each.

@@ -24,6 +24,12 @@ namespace edgeproof::report {
                                     const conformance::Questions& some,
                                     const std::vector<conformance::Reference>& values);
 
+/// Returns the table of all values with one row a contact: its parameters, then a column for each
+/// question, such as "c_0", "c_0 left", "p u=1/10". The cells have values without bounds. Throws
+/// InputError if a value is an estimate.
+[[nodiscard]] Table wide_table(const conformance::Recipe& recipe,
+                               const std::vector<conformance::Reference>& values);
+
 /// Returns the questions as a table to be answered: id, parameters, quantity, edge, u, x; the other
 /// program adds a column `value`. x is left out if it is not rational.
 [[nodiscard]] Table question_table(const conformance::Questions& questions,

@@ -77,6 +77,10 @@ public:
     [[nodiscard]] std::optional<Exact> number() const;
     [[nodiscard]] From from() const { return from_; }
     [[nodiscard]] Distance distance(Edge edge) const;
+    /// Compares the places as they are written.
+    friend bool operator==(const Place& s, const Place& t) {
+        return s.from_ == t.from_ && s.text_ == t.text_;
+    }
 
 private:
     Place(std::string text, From from, Expr value, const Names& names);

@@ -97,6 +97,14 @@ struct BodyPoint {
     Exact x;
     Exact z;
     Body body = Body::A;
+    /// In place of x and z: formulas in a and b, which are solved for.
+    std::optional<Place> x_formula = {};
+    std::optional<Place> z_formula = {};
+    /// x and z for a and b in these balls.
+    [[nodiscard]] Ball x_in(const Ball& a, const Ball& b, long bits) const;
+    [[nodiscard]] Ball z_in(const Ball& a, const Ball& b, long bits) const;
+    [[nodiscard]] std::string x_text() const;
+    [[nodiscard]] std::string z_text() const;
     friend bool operator==(const BodyPoint&, const BodyPoint&) = default;
 };
 

@@ -247,28 +247,28 @@ Place::Names exact_names_of(const Scene& scene) {
 
 BodyPoint body_point(const std::string& x, const std::string& z, Body body,
                      const Place::Names& names) {
-    const auto number = [&](const char* key, const std::string& text) {
+    BodyPoint point{Exact(), Exact(), body};
+    const auto read = [&](const char* key, const std::string& text, Exact& number,
+                          std::optional<Place>& formula) {
         try {
-            return exact_in(text, names);
+            if (!has_names(text)) {
+                number = Exact::parse(text);
+                return;
+            }
+            const Place place = Place::parse(text, Place::From::origin, names);
+            const auto known = place.number();
+            number = known ? *known : Exact();
+            formula = known ? std::nullopt : std::optional(place);
         } catch (const InputError& error) {
             throw InputError(std::string(key) + " = \"" + text + "\": " + error.problem(),
                              error.instead());
         }
     };
-    BodyPoint point{number("x", x), number("z", z), body};
+    read("x", x, point.x, point.x_formula);
+    read("z", z, point.z, point.z_formula);
     require(point.z.sign() >= 0, "the depth z = " + z + " is negative",
             "give z >= 0, the depth into the body");
     return point;
-}
-
-Exact exact_in(const std::string& text, const Place::Names& names) {
-    if (!has_names(text)) {
-        return Exact::parse(text);
-    }
-    if (const auto number = Place::parse(text, Place::From::origin, names).number()) {
-        return *number;
-    }
-    throw InputError("a and b are not known as exact numbers under this load", "write a number");
 }
 
 int sign_of(const io::TomlSection& section, std::string_view key, const Exact& value) {

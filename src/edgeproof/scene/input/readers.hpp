@@ -54,11 +54,8 @@ using EndOfRange = std::function<Exact(const io::TomlSection& range, std::string
 [[nodiscard]] Place::Names names_of(const Scene& scene);
 /// The same with a and b also of a contact under a force, where exact algebra solves for them.
 [[nodiscard]] Place::Names exact_names_of(const Scene& scene);
-/// Returns the number that a text gives in these names. Throws InputError if it has none.
-[[nodiscard]] Exact exact_in(const std::string& text, const Place::Names& names);
-
-/// Returns the point of a body at x and the depth z, as exact_in() reads them. Throws InputError
-/// for z < 0, too.
+/// Returns the point of a body at x and the depth z, which are formulas in the names, a and b.
+/// Throws InputError for a number z < 0, too.
 [[nodiscard]] BodyPoint body_point(const std::string& x, const std::string& z, Body body,
                                    const Place::Names& names);
 

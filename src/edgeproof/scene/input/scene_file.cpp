@@ -124,7 +124,8 @@ std::string toml_entry(const io::TomlEntry& entry) {
         return *yes ? "true" : "false";
     }
     if (const auto* range = std::get_if<io::TomlRange>(&entry.value)) {
-        return "{ from = " + toml_string(range->from) + ", to = " + toml_string(range->to) + " }";
+        return "{ from = " + toml_string(range->from) + ", to = " + toml_string(range->to) +
+               (range->points > 0 ? ", points = " + std::to_string(range->points) : "") + " }";
     }
     std::string list;
     for (const std::string& text : texts_of(entry)) {

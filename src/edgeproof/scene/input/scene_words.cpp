@@ -44,11 +44,23 @@ io::TomlEntry entry_of(const Key& key, const std::string& value) {
     if (key.name == "symmetric") {
         return {key.name, value != "false"};
     }
+    const std::size_t dots = value.find("..");
+    const bool range = dots != std::string::npos && dots > 0 && dots + 2 < value.size();
+    if (range && (key.name == "u" || key.name == "x")) {
+        const std::size_t colon = std::min(value.find(':', dots), value.size());
+        const std::string points = colon < value.size() ? value.substr(colon + 1) : "21";
+        require(!points.empty() && points.size() < 7 &&
+                    points.find_first_not_of("0123456789") == std::string::npos,
+                key.name + "=" + value + ": '" + points + "' is no number of points",
+                "write " + key.name + "=FROM..TO:POINTS, such as " + key.name + "=-1..1:21");
+        return {key.name,
+                io::TomlRange{value.substr(0, dots), value.substr(dots + 2, colon - dots - 2),
+                              std::stol(points)}};
+    }
     if (key.list && !value.empty()) {
         return {key.name, parts_of(value)};
     }
-    const std::size_t dots = value.find("..");
-    if (dots != std::string::npos && dots > 0 && dots + 2 < value.size()) {
+    if (range) {
         return {key.name, io::TomlRange{value.substr(0, dots), value.substr(dots + 2)}};
     }
     if (key.name == "tolerance") {

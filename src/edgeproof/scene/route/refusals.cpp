@@ -63,6 +63,8 @@ void SceneValues::refuse_unknown(const QuantityRow& row, const AskedValue& asked
                            : ""));
 }
 
+bool SceneValues::no_traction_at_edges() const { return !scene_.shear || scene_.slips(); }
+
 void SceneValues::refuse_outside(Edge edge, const Distance& u) {
     if (!u.number()) {
         refuse_outside_by_edges(edge, u);
@@ -71,7 +73,8 @@ void SceneValues::refuse_outside(Edge edge, const Distance& u) {
     const Rational* distance = u.number()->expr().rational();
     const Ball from = u.enclosure({}, {}, length_.bits());
     const bool exact = known_length_ && distance != nullptr;
-    if (u.number()->sign() < 0 ||
+    const bool on_edge = exact && (*distance == 0 || *distance == *known_length_);
+    if (u.number()->sign() < 0 || (on_edge && no_traction_at_edges()) ||
         (exact ? *distance > *known_length_ : certainly_less(length_, from))) {
         throw OutsideContact();
     }
@@ -82,6 +85,14 @@ void SceneValues::refuse_outside(Edge edge, const Distance& u) {
 
 void SceneValues::refuse_outside_by_edges(Edge edge, const Distance& u) {
     refuse_corner(edge, u);
+    const Form distance = u.exactly([&](std::string_view name) {
+        return Form::name(scene_.symmetric() ? "a" : name, true);
+    });
+    const Form a = Form::name("a", true);
+    const Form length = a + (scene_.symmetric() ? a : Form::name("b", true));
+    if ((distance == Form() || distance == length) && no_traction_at_edges()) {
+        throw OutsideContact();
+    }
     bool outside = false;
     const bool inside = raise(plan_.bits, 8 * plan_.bits, [&](const BallLevel& level) {
         const Ball from = level.distance(u);

@@ -113,6 +113,8 @@ private:
     [[nodiscard]] bool exactly_zero(const AskedValue& asked);
     /// True if a place, by its distance from the right edge, is proved to be an edge.
     [[nodiscard]] bool on_edge(const Distance& from_right);
+    /// Full stick makes q infinite at the edges; else p and q are 0 there.
+    [[nodiscard]] bool no_traction_at_edges() const;
     /// Throws OutsideContact for a point outside the contact, and DomainError for one on an edge or
     /// a place given by the edges that many bits do not separate from a corner.
     void refuse_outside(Edge edge, const Distance& u);

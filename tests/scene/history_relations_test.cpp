@@ -48,13 +48,6 @@ LoadPath layers_of(const Scene& s) {
     return layers;
 }
 
-double value_in(const Scene& s, Quantity quantity) {
-    SceneValues values(s, {{quantity}}, {15});
-    const BoundedValue value = values.value({quantity});
-    CHECK(value.proved);
-    return value.value.midpoint().convert_to<double>();
-}
-
 /// The shear force of thin layers `width` wide, by dL, that take up small increments of the load
 /// from the newest layer inwards.
 std::vector<double> thin_layers(const LoadPath& path, double width) {
@@ -264,7 +257,7 @@ TEST_CASE("the energy of a cycle is the area of the loop of shear force and disp
             }
             const Scene s = made(words);
             CHECK(s.history->steady);
-            const double energy = value_in(s, Quantity::cycle_energy);
+            const double energy = number_of(s, {Quantity::cycle_energy});
             CHECK(std::abs(area - energy) < 1.5e-2 * energy);
             CHECK(energy > 1e-4);
         }
@@ -302,10 +295,9 @@ TEST_CASE("the dissipation at all places of the slip zones adds up to the energy
         asked.place =
             Place::parse(std::to_string(x), Place::From::origin, {}).distance(Edge::right);
         asked.reference = asked.place;
-        SceneValues values(s, {asked}, {16});
-        return values.value(asked).value.midpoint().convert_to<double>();
+        return number_of(s, asked);
     };
-    const double from = value_in(s, Quantity::stick_a);
+    const double from = number_of(s, {Quantity::stick_a});
     const double circle = std::acos(-1.0);
     double sum = 0;
     constexpr int parts = 40; // trapezoidal rule in t, x = from + (1 - from) sin^2(t/2)
@@ -315,7 +307,7 @@ TEST_CASE("the dissipation at all places of the slip zones adds up to the energy
         sum += density(x) * (1 - from) * std::sin(t) * circle / parts / 2;
     }
     // The places have six decimals.
-    CHECK(2 * sum == doctest::Approx(value_in(s, Quantity::cycle_energy)).epsilon(1e-5));
+    CHECK(2 * sum == doctest::Approx(number_of(s, {Quantity::cycle_energy})).epsilon(1e-5));
     CHECK(density(0.1) == 0);
 }
 

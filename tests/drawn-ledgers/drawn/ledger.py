@@ -5,7 +5,7 @@ import dataclasses
 # The permitted verdicts, by the known truth of the claim. Only a false claim may have any verdict
 # except the two that confirm it.
 RIGHT_VERDICTS = {
-    "true": {"proved", "confirmed", "definition"},
+    "true": {"proved", "confirmed"},
     "false": {"refuted", "imprecise", "underspecified"},
     "imprecise": {"imprecise"},        # a figure that is one unit off
     "some": {"underspecified", "imprecise"},  # it holds for some sizes of the contact, not for all
@@ -23,7 +23,6 @@ class Family:
     points: int = 1
     knots: tuple = ()
     slopes: tuple = ()
-    union: tuple = ()
 
     def value(self, name):
         return dict(self.parameters)[name][0]
@@ -31,8 +30,8 @@ class Family:
 
 @dataclasses.dataclass
 class Claim:
-    """`keys`: the keys of its kind. `label`: a class of similar claims. `why`: the reason for its
-    truth."""
+    """`keys`: the keys of its kind. `truth`: of RIGHT_VERDICTS, or a bool. `label`: a class of similar claims. `why`: the
+    reason for its truth."""
     kind: str
     keys: dict
     family: Family | None
@@ -42,14 +41,13 @@ class Claim:
     most_digits: int = 1000
     group: str = ""  # the row of the table; empty: the kind
 
+    def __post_init__(self):
+        self.truth = {True: "true", False: "false"}.get(self.truth, self.truth)
+
 
 def family(profile, count=1, u=(), points=1, knots=(), slopes=(), **parameters):
     lists = tuple((name, (v,) if isinstance(v, str) else tuple(v)) for name, v in parameters.items())
     return Family(profile, lists, count, tuple(u), points, tuple(knots), tuple(slopes))
-
-
-def union(*members):
-    return Family("", (), union=tuple(members))
 
 
 def _text(value):
@@ -73,15 +71,12 @@ class Ledger:
 
     def _name_of(self, of):
         if of not in self._names:
-            if of.union:
-                lines = [f"union = {_text([self._name_of(member) for member in of.union])}"]
-            else:
-                lines = [f'profile = "{of.profile}"', f"count = {of.count}"]
-                lines += [f"points = {of.points}"] if of.points > 1 else []
-                lines += [f"u = {_text(of.u)}"] if of.u else []
-                if of.profile.startswith("piecewise"):
-                    lines += [f"knots = {_text(of.knots)}", f"slopes = {_text(of.slopes)}"]
-                lines += ["[family.parameters]"] + [f"{n} = {_text(v)}" for n, v in of.parameters]
+            lines = [f'profile = "{of.profile}"', f"count = {of.count}"]
+            lines += [f"points = {of.points}"] if of.points > 1 else []
+            lines += [f"u = {_text(of.u)}"] if of.u else []
+            if of.profile.startswith("piecewise"):
+                lines += [f"knots = {_text(of.knots)}", f"slopes = {_text(of.slopes)}"]
+            lines += ["[family.parameters]"] + [f"{n} = {_text(v)}" for n, v in of.parameters]
             name = f"f{len(self._names) + 1}"
             self._families.append("\n".join(["[[family]]", f'name = "{name}"', *lines]))
             self._names[of] = name

@@ -7,7 +7,7 @@ import json
 import os
 import subprocess
 
-from .ledger import RIGHT_VERDICTS, Ledger
+from .ledger import RIGHT_VERDICTS
 
 
 @dataclasses.dataclass
@@ -19,9 +19,7 @@ class Judged:
 
     @property
     def wrong(self):
-        if self.verdict in RIGHT_VERDICTS[self.claim.truth] or self.verdict == "undecided":
-            return False
-        return True
+        return self.verdict not in RIGHT_VERDICTS[self.claim.truth] | {"undecided"}
 
 
 def run(edgeproof, ledger, digits, path, seconds):
@@ -56,29 +54,6 @@ def run_all(edgeproof, jobs, folder, seconds, threads):
         tasks = [pool.submit(run, edgeproof, ledger, digits, folder / f"{ledger.name}.toml", seconds) for ledger,
                  digits in jobs]
         return [judged for task in tasks for judged in task.result()]
-
-
-def write_failures(all_judged, folder):
-    """A small ledger for each class of wrong verdicts, with the truth and the verdict of each claim."""
-    classes = collections.defaultdict(list)
-    for j in all_judged:
-        if j.wrong:
-            classes[j.claim.group or j.claim.kind, j.claim.label, j.claim.truth, j.verdict].append(j)
-    numbers = collections.Counter()
-    folder.mkdir(parents=True, exist_ok=True)
-    index = []
-    for (kind, label, truth, verdict), found in sorted(classes.items()):
-        numbers[kind] += 1
-        name = f"{kind}-{numbers[kind]:02}"
-        ledger = Ledger(name)
-        for j in found[:4]:
-            found_here = f"at {j.digits} digits {j.verdict} ({' '.join(j.note.split())})"
-            ledger.add(dataclasses.replace(j.claim, why=f"{j.claim.why}; {found_here}"))
-        digits = " ".join(str(d) for d in sorted({j.digits for j in found}))
-        head = f"# {len(found)} claims of this class: {truth}, but {verdict}; at digits {digits}\n"
-        (folder / f"{name}.toml").write_text(head + ledger.text())
-        index.append(f"{name}.toml: {len(found)} x {truth} but {verdict}: {label} (digits {digits})")
-    (folder / "index.txt").write_text("\n".join(index) + "\n")
 
 
 def refuted_share(all_judged, group):

@@ -87,11 +87,16 @@ GENERAL = (("right.c0", "2*P1/(Pi*sqrt(a+b))"), ("left.c0", "2*P1/(Pi*b1*sqrt(a+
            ("right.c1", "((3+2*b1)*P1 - 4*(a+b)*P2)/(3*Pi*(a+b)^(3/2))"), ("L", "a+b"), ("bof(a)", "b"),
            ("binv(b)", "a"), ("Pof(a)", "P"), ("P1of(a)", "P1"), ("right_local(1, x)", "right.c0*sqrt(a-x)"),
            ("left_local(2, x)", "left.c0*sqrt(b+x) + left.c1*(b+x)^(3/2)"),
-           ("left.c1", "((3*b1^2+2*b1+4*b2*L)*P1 - 4*L*b1*P2)/(3*Pi*b1^3*L^(3/2))"))
+           ("left.c1", "((3*b1^2+2*b1+4*b2*L)*P1 - 4*L*b1*P2)/(3*Pi*b1^3*L^(3/2))"), ("b1*left.c0", "right.c0"),
+           ("6*L*b1^2*left.c1", "6*L*right.c1 + (b1-1)*right.c0 + 4*L*b2*left.c0"),
+           ("right.c2", "((45 - 16*b2*(a+b) + 24*b1^2 + 60*b1)*P1 - 8*(a+b)*(4*b1+5)*P2 + 32*(a+b)^2*P3)"
+            "/(60*Pi*(a+b)^(5/2))"))
 # Formulas for symmetric contacts.
 SYMMETRIC = (("b", "a"), ("L", "2*a"), ("p(-x)", "p(x)"), ("g1(-x)", "-g1(x)"), ("left.c2", "right.c2"),
              ("left_local(2, -x)", "right_local(2, x)"), ("b1", "1"), ("right.c0", "sqrt(2/a)/Pi*P1"),
-             ("right.c1", "2*sqrt(2)/(3*a^(3/2)*Pi)*(5*P1/8 - a*P2)"))
+             ("right.c1", "2*sqrt(2)/(3*a^(3/2)*Pi)*(5*P1/8 - a*P2)"), ("left.c1", "right.c1"), ("P1", "abs(P1)"),
+             ("right.c2", "sqrt(2)/(480*a^(5/2)*Pi)*(129*P1 - 144*a*P2 + 128*a^2*P3)"), ("a", "max(a, b)"),
+             ("right.c0", "sqrt(left.c0^2)"))
 # Formulas that are exactly zero: (quantity, formula, a scale of its parts).
 ZEROS = (("0", "integral(g1(s)/sqrt((a-s)*(s+b)), s, -b, a)", "integral(abs(g1(s))/sqrt((a-s)*(s+b)), s, -b, a)"),
          ("0", "p(a)", "P/a"), ("0", "p(-b)", "P/a"), ("0", "right_local(3, a)", "P/a"), ("0", "a + b - L", "a"),
@@ -102,6 +107,7 @@ ZEROS = (("0", "integral(g1(s)/sqrt((a-s)*(s+b)), s, -b, a)", "integral(abs(g1(s
 SYMMETRIC_ZEROS = (("0", "M", "P*a"), ("0", "a - b", "a"), ("0", "g1(x) + g1(-x)", "g1(a)"), ("0", "b2", "1/a"),
                    ("0", "g1(0)", "g1(a)"), ("0", "integral(s*p(s), s, -b, a)", "P*a"), ("0", "p(x) - p(-x)", "P/a"),
                    ("0", "right.c1 - left.c1", "right.c0/a"), ("0", "b1 - 1", "1"),
+                   ("0", "right.c0 - sqrt(2/a)/Pi*P1", "right.c0"),
                    ("0", "sgn(a-b)", "1"), ("0", "sqrt(a-b)", "sqrt(a)"), ("0", "acos(a/b)", "1"), ("Pi/2",
                                                                                                     "asin(b/a)", "1"),
                    ("0", "sgn(p(x)-p(-x))", "1"), ("0", "sgn(right.c0-left.c0)", "1"), ("1/2", "step(M)", "1"),

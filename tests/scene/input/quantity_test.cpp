@@ -12,8 +12,6 @@ namespace {
 
 using Index = QuantityRow::Index;
 
-const Digits thirty{30, Rounding::nearest, false};
-
 /// The words of the contacts of each kind of quantity, with lengths and moduli multiplied by the
 /// arguments: a cylinder with a = 1 and Q = 3/10, one that slips, one by steps; a wedge under P and
 /// M, whose tilt is unknown; a sphere.
@@ -63,10 +61,6 @@ AskedValue asked_of(const QuantityRow& row, const std::string& length = "1") {
     return asked;
 }
 
-BoundedValue in_balls(const Scene& scene, const AskedValue& asked) {
-    return SceneValues(scene, {asked}, thirty).value(asked);
-}
-
 } // namespace
 
 TEST_CASE("each quantity that has a symbol is read by it and written with it") {
@@ -107,11 +101,8 @@ TEST_CASE("the dimension of each quantity: lengths doubled, moduli three times a
     for (const QuantityRow& row : quantity_rows()) {
         CAPTURE(row.name);
         const AskedValue asked = asked_of(row);
-        const double one =
-            in_balls(made(words_for(row)), asked).value.midpoint().convert_to<double>();
-        const double other = in_balls(made(words_for(row, "2", "3")), asked_of(row, "2"))
-                                 .value.midpoint()
-                                 .convert_to<double>();
+        const double one = number_of(made(words_for(row)), asked);
+        const double other = number_of(made(words_for(row, "2", "3")), asked_of(row, "2"));
         // A force per length is a modulus times a length.
         const double factor = scale_of(asked, 3 * 2, 2) / scale_of(asked, 1, 1);
         CHECK(other == doctest::Approx(factor * one).epsilon(1e-12));

@@ -125,22 +125,3 @@ TEST_CASE("a point is shown as it was given; mises needs Poisson's ratio") {
         CHECK((at.find(Quantity::mises) == nullptr) == nu.empty());
     }
 }
-
-// The second route is an estimate by quadrature.
-TEST_CASE("balls and quadratures agree, each within its own bound") {
-    const std::string asked = " edges=right;left terms=1;3 digits=25 u=1e-20;0.01;0.3 E=7/3";
-    for (const std::string words :
-         {"tilted-flat-and-rounded alpha=pi/16 t=1 R=2 P=1/5 Q=-0.1 bulk_tension=0.4",
-          "power-law m=5/2 C=3 a=0.7", "tilted-wedge phi=0.1 alpha=0.02 a=2 Q=0.3 path=together"}) {
-        CAPTURE(words);
-        const SceneResult balls = run_scene(made(words + asked));
-        const SceneResult reals = run_scene(made(words + asked + " route=singular-integral"));
-        for (std::size_t i = 0; i < balls.points().size(); ++i) {
-            const BoundedValue x = balls.points()[i].at(Quantity::p);
-            const BoundedValue y = reals.points()[i].at(Quantity::p);
-            CHECK(overlaps(x.value, y.value));
-            CHECK(x.proved);
-            CHECK_FALSE(y.proved);
-        }
-    }
-}

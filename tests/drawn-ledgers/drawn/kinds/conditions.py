@@ -27,11 +27,8 @@ PLACED = (
     ("(x-a/3)^2 < 1e-9*a^2", "a point"), ("(x-a/3)^2 <= 0", "a point"), ("p(x) >= p(0)", "a point"),
     ("u*(L-u) >= a^2", "a point"), ("x = 0", "a point"),
     ("g1(x) > 0", "somewhere"), ("right_local(1, x) < 2*p(x)", "somewhere"))
-HOLDS = {"everywhere": {"everywhere": True, "somewhere": True, "nowhere": False},
-         "but a point": {"everywhere": False, "somewhere": True, "nowhere": False},
-         "nowhere": {"everywhere": False, "somewhere": False, "nowhere": True},
-         "somewhere": {"everywhere": False, "somewhere": True, "nowhere": False},
-         "a point": {"everywhere": False, "somewhere": True, "nowhere": False}}
+HOLDS = {true: {"everywhere": true == "everywhere", "somewhere": true != "nowhere", "nowhere": true == "nowhere"}
+         for true in ("everywhere", "but a point", "nowhere", "somewhere", "a point")}
 NEAR = {"1": (("right_local(1, x) > p(x)", True), ("right_local(1, x) < p(x)", False),
               ("right_local(2, x) > p(x)", True), ("right_local(3, x) > p(x)", True),
               ("right_local(3, x) < right_local(2, x)", True), ("p(x) = right_local(1, x)", False),
@@ -64,21 +61,18 @@ def draw_relation(rng, digits):
         holds = rng.choice(("everywhere", "somewhere", "nowhere"))
         if holds == "nowhere" and (" and " in says or " = " in says):
             holds = "everywhere"
-        right = HOLDS[true][holds]
-        return Claim("condition", {"says": says, "holds": holds}, scenes.power_law(rng, "1"), "true" if right
-                     else "false",
+        return Claim("condition", {"says": says, "holds": holds}, scenes.power_law(rng, "1"), HOLDS[true][holds],
                      f"{true}, claimed {holds}")
     if which == "near":
         m = rng.choice(tuple(NEAR))
         says, right = rng.choice(NEAR[m])
-        return Claim("condition", {"says": says, "holds": "near-edge"}, scenes.power_law(rng, m), "true" if right
-                     else "false", "near the edge")
+        return Claim("condition", {"says": says, "holds": "near-edge"}, scenes.power_law(rng, m), right, "near the edge")
     shape, says, right = rng.choice(SCENE)
     if shape == "symmetric":
         at = scenes.power_law(rng, "1")
     else:
         at = scenes.wedge(rng, gam=rng.choice(scenes.GAM + ("1-1e-20", "1-1e-60", "1e-20")))
-    return Claim("condition", {"says": says}, at, "true" if right else "false", f"of a scene, {shape}")
+    return Claim("condition", {"says": says}, at, right, f"of a scene, {shape}")
 
 
 # Conditions that hold for all sizes of a contact, for some, or for none.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Claims of the kinds compare and definition: a formula or a number for a quantity."""
+"""Claims of the kind compare: a formula or a number for a quantity."""
 import decimal
 
 from mpmath import mp, mpf
@@ -12,13 +12,15 @@ from ..rewriting import equivalent, spoiled
 
 
 def draw_value(rng, digits):
-    nature = rng.choice(("formula", "formula", "formula", "knot", "zero", "zero", "curved", "shear", "no value"))
+    nature = rng.choice(("formula", "formula", "formula", "knot", "zero", "zero", "curved", "shear", "given", "no value"))
     if nature == "knot":
         return _on_knot(rng, digits)
     if nature == "curved":
         return _curved(rng, digits)
     if nature == "no value":
         return _no_value(rng)
+    if nature == "given":
+        return _given(rng, digits)
     if nature == "shear":
         of_family, table = scenes.sheared(rng), scenes.SHEARED
     else:
@@ -102,59 +104,20 @@ def _no_value(rng):
     return Claim("compare", {"says": says, "of": "P"}, scenes.power_law(rng, "1"), "no value", "no value in print")
 
 
-# Identities for every profile; `over` names a family in which an edit shows.
-IDENTITIES = (
-    ("right.c0", "2*P1/(Pi*sqrt(a+b))"), ("right.c1", "((3+2*b1)*P1 - 4*(a+b)*P2)/(3*Pi*(a+b)^(3/2))"),
-    ("right.c2",
-     "((45 - 16*b2*(a+b) + 24*b1^2 + 60*b1)*P1 - 8*(a+b)*(4*b1+5)*P2 + 32*(a+b)^2*P3)/(60*Pi*(a+b)^(5/2))"),
-    ("left.c0", "2*P1/(Pi*b1*sqrt(a+b))"), ("left.c0", "right.c0/b1"), ("b1*left.c0", "right.c0"), ("L", "a + b"),
-    ("left.c1", "((3*b1^2+2*b1+4*b2*L)*P1 - 4*L*b1*P2)/(3*Pi*b1^3*L^(3/2))"),
-    ("6*L*b1^2*left.c1", "6*L*right.c1 + (b1-1)*right.c0 + 4*L*b2*left.c0"))
-SYMMETRIC_IDENTITIES = (
-    ("right.c0", "1/Pi*sqrt(2/a)*P1"), ("right.c1", "2*sqrt(2)/(3*a^(3/2)*Pi)*(5*P1/8 - a*P2)"), ("b", "a"),
-    ("L", "2*a"),
-    ("right.c2", "sqrt(2)/(480*a^(5/2)*Pi)*(129*P1 - 144*a*P2 + 128*a^2*P3)"), ("left.c1", "right.c1"), ("b1", "1"),
-    ("right.c0 - sqrt(2/a)/Pi*P1", "0"), ("a - b", "0"), ("acos(a/b)", "0"), ("right.c0", "sqrt(left.c0^2)"),
-    ("P1", "abs(P1)"), ("a", "max(a, b)"), ("sgn(b - a)", "0"), ("sqrt(b - a)", "0"), ("b2", "0"),
-    ("left.c0 - right.c0", "0"))
+# Formulas under a printed law of P: the law, the exponent, formulas, and zeros with a scale.
 GIVEN = (("Pi/4*Es*C*a^2", "1", (("P1", "Pi/2*Es*C*a"), ("right.c0", "Es*C/2*sqrt(2*a)"),
-                                 ("right.c1", "-Es*C/8*sqrt(2/a)"), ("P3", "0"),
-                                 ("P - a*P1/2", "0"), ("right.c2", "-Es*C/2*sqrt(2*a)/(32*a^2)"))),
-         ("Es*C*a", "0", (("P1", "Es*C"), ("right.c0", "Es*C/Pi*sqrt(2/a)"), ("P2", "0"),
+                                 ("right.c1", "-Es*C/8*sqrt(2/a)"), ("0", "P3", "P1/a^2"), ("0", "P - a*P1/2", "P"),
+                                 ("right.c2", "-Es*C/2*sqrt(2*a)/(32*a^2)"))),
+         ("Es*C*a", "0", (("P1", "Es*C"), ("right.c0", "Es*C/Pi*sqrt(2/a)"), ("0", "P2", "P1/a"),
                           ("right.c1", "5*Es*C/(12*a*Pi)*sqrt(2/a)"))))
 
 
-def draw_identity(rng, digits):
-    which = rng.choice(("general", "symmetric", "given"))
-    keys, names = {}, ("a", "b", "P1")
-    if which == "general":
-        at = rng.choice((scenes.wedge, scenes.tilted_flat, scenes.flat))(rng)
-        of, says = rng.choice(IDENTITIES)
-    elif which == "symmetric":
-        at = rng.choice((scenes.power_law, scenes.flat))(rng)
-        of, says = rng.choice(SYMMETRIC_IDENTITIES)
-    else:
-        given, m, table = rng.choice(GIVEN)
-        at, keys = scenes.power_law(rng, m), {"given": {"P": given}}
-        of, says = rng.choice(table)
-    if says == "0":
-        if rng.random() < 0.6:
-            return Claim("compare", {"says": says, "of": of, **keys}, at, "true", "zero")
-        unit = {"a - b": "a", "b2": "1/a", "P3": "P1/a^2", "P2": "P1/a", "P - a*P1/2": "P", "acos(a/b)": "1",
-                "sgn(b - a)": "1",
-                "sqrt(b - a)": "sqrt(a)"}.get(of, "right.c0")
-        return Claim("compare", {"says": f"{rng.randint(1, 9)}e-{rng.randint(1, digits - 7)}*{unit}", "of": of,
-                                  **keys}, at, "false", "zero")
-    times = rng.choice((0, 1, 1, 2))
-    if rng.random() < 0.6:
-        return Claim("compare", {"says": equivalent(rng, says, times, names), "of": of, **keys}, at, "true", which)
-    edit, error = spoiled(rng, says, digits)
-    return Claim("compare", {"says": equivalent(rng, edit, times, names), "of": of, **keys}, at, "false", which,
-                 f"off by {error} of itself")
-
-
-def draw_definition(rng, digits):
-    return Claim("definition", {}, scenes.power_law(rng, "1"), "true", "definition")
+def _given(rng, digits):
+    law, m, table = rng.choice(GIVEN)
+    at, row = scenes.power_law(rng, m), rng.choice(table)
+    claim = _zero(rng, digits, at, row) if row[0] == "0" else _formula(rng, digits, at, *row, "given")
+    claim.keys["given"] = {"P": law}
+    return claim
 
 
 # ---- figures: a quoted decimal for a quantity of one scene
@@ -240,4 +203,4 @@ def _cancelling(rng):
         return _quote(rng, number, max(0, rng.choice((1, 2, 3, 8)) - size), "cancelling", of, at)
 
 
-KINDS = {"value": draw_value, "identity": draw_identity, "definition": draw_definition, "figure": draw_figure}
+KINDS = {"value": draw_value, "figure": draw_figure}

@@ -72,9 +72,8 @@ def draw_adding(rng, digits):
         sign = -A * B * A0 * B0
     add = rng.choice((True, False))
     says = f"given({of}, sig0 = 0)*given(given({of}, Q = 0), sig0 = {tension}) {'>' if add else '<'} 0"
-    truth = "true" if sign == (1 if add else -1) else "false"
     label = "a part that is zero" if sign == 0 else "a part that is tiny" if "e-" in of else "ordinary"
-    return Claim("condition", {"says": says}, at, truth, label, group="loads that add")
+    return Claim("condition", {"says": says}, at, sign == (1 if add else -1), label, group="loads that add")
 
 
 def _variables(rng, symmetric):
@@ -150,8 +149,7 @@ def draw_relations(rng, digits):
     at = rng.choice((scenes.power_law, scenes.flat) if symmetric else (scenes.wedge, scenes.tilted_flat))(rng)
     says = rng.choice(("function", "independent"))
     degree = {"degree": rng.randint(2, 4)} if rng.random() < 0.5 else {}
-    return Claim("relations", {"says": says, "of": of, "from": others, **degree}, at, "true"
-                 if function == (says == "function") else "false", label)
+    return Claim("relations", {"says": says, "of": of, "from": others, **degree}, at, function == (says == "function"), label)
 
 
 KINDS = {"zero": draw_zero, "adding": draw_adding, "relations": draw_relations}

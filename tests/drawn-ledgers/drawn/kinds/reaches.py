@@ -98,17 +98,8 @@ def _size_extent(rng):
     side = "(a+b)" if base == "whole" else "a" if edge == "right" else "b"
     keys = {"edge": edge, "of": f"exit({terms}, {tolerance})/{side}", "sizes": ["1/10", "1", "10"],
             "quoted": _decimal(units + off, places)}
-    return Claim("compare", keys, at, "false" if off else "true", shape, f"it is {mp.nstr(number, 15)}",
+    return Claim("compare", keys, at, not off, shape, f"it is {mp.nstr(number, 15)}",
                  group="exit at sizes")
 
 
-def draw_best(rng, digits):
-    # 5/8 has no second term: the reach of one term is of the order sqrt(tolerance) instead of the tolerance.
-    wrong = rng.choice(("1/10", "1", "3/2", "1/3"))
-    says, truth = rng.choice((("abs(best(1, 1e-6, m, 0, 2) - 5/8) < abs(best(1, 1e-3, m, 0, 2) - 5/8)/2", "true"),
-                              (f"best(1, 1/100, m, 0, 2) = {wrong}", "false"),
-                              (f"abs(best(1, 1e-3, m, 0, 2) - {wrong}) > 1/100", "true")))
-    return Claim("condition", {"says": says, "decimals": "exact"}, scenes.power_law(rng, "5/8"), truth, "best m", group="best")
-
-
-KINDS = {"exit": draw_extent, "exit at sizes": draw_size_extent, "best": draw_best}
+KINDS = {"exit": draw_extent, "exit at sizes": draw_size_extent}

@@ -202,9 +202,7 @@ def draw_rounded(rng, digits):
         if formula.of == "x/3" and rng.random() < 0.5:
             places, count = ["1/2"], rng.choice((1, 2))
         one = count == 1
-        points = 1 if one else 4
-        if places == ["1/2"]:
-            points = 1
+        points = 1 if one or places == ["1/2"] else 4
         if one:
             places = places[:1]
         at = family(profile, count=count, u=places, points=points, **_lists(rng, shape, count))
@@ -217,11 +215,13 @@ def draw_rounded(rng, digits):
             samples = [(mpf(0), None)] * count  # the middle
         texts, intervals, moved = _drawn(rng, formula.constants)
         true = _fits(formula, at, intervals, samples)
-    label = f"{formula.label}, {len(texts)} constants" + (", one sample" if one else "") + (", moved" if moved
-                                                                                            else "")
-    return Claim("compare", {"says": formula.says.format(*texts), "of": formula.of}, at, "true" if true else "false",
-                 label,
-                 "exact: " + ", ".join(formula.constants), most_digits=50, group="rounded")
+    label = f"{formula.label}, {len(texts)} constants" + (", one sample" if one else "")
+    return _claim("compare", {"says": formula.says.format(*texts), "of": formula.of}, at, true, label, moved, formula.constants)
+
+
+def _claim(kind, keys, at, true, label, moved, constants, most_digits=50):
+    return Claim(kind, keys, at, true, label + (", moved" if moved else ""), "exact: " + ", ".join(constants),
+                 most_digits=most_digits, group="rounded")
 
 
 def _exponent(rng):
@@ -232,16 +232,13 @@ def _exponent(rng):
                                   ("a^Pi", "a^{0}", "Pi")))
     texts, intervals, moved = _drawn(rng, (exact,))
     true = intervals[0][0] <= value(exact, Plain()) <= intervals[0][1] or a == ["1"]
-    return Claim("compare", {"says": says.format(*texts), "of": of}, at, "true" if true else "false", "exponent"
-                 + (", moved" if moved else ""),
-                 f"exact: {exact}", most_digits=50, group="rounded")
+    return _claim("compare", {"says": says.format(*texts), "of": of}, at, true, "exponent", moved, (exact,))
 
 
 def _curved(rng):
     """A curved slope; two constants need samples at two places."""
     n, k = rng.randint(2, 40), rng.randint(1, 9)
-    points = 3
-    at = family("piecewise-symmetric", u=rng.sample(("1/20", "1/5", "3/7"), 3), points=points,
+    at = family("piecewise-symmetric", u=rng.sample(("1/20", "1/5", "3/7"), 3), points=3,
                 slopes=(f"x/{n} + x^3/{k}",),
                 a=rng.choice(("3/4", "1/7", "3/2")), Es=rng.choice(("7/3", "2.1e5")))
     of, says, exact = rng.choice((("p(x)", "Es*sqrt(a^2-x^2)*({0} + {1}*(a^2+2*x^2))", (f"1/{2 * n}", f"1/{4 * k}")),
@@ -251,9 +248,7 @@ def _curved(rng):
                                   ("g1(x)", "{0}*x + {1}*x^3", (f"1/{n}", f"1/{k}"))))
     texts, intervals, moved = _drawn(rng, exact)
     true = all(lo <= value(c, Plain()) <= hi for c, (lo, hi) in zip(exact, intervals))
-    return Claim("compare", {"says": says.format(*texts), "of": of}, at, "true" if true else "false", "curved"
-                 + (", moved" if moved else ""),
-                 "exact: " + ", ".join(exact), most_digits=30, group="rounded")
+    return _claim("compare", {"says": says.format(*texts), "of": of}, at, true, "curved", moved, exact, most_digits=30)
 
 
 def _other(rng):
@@ -268,9 +263,7 @@ def _other(rng):
             variable = "u" if of == "p(x)" else "eps"
             keys |= {"variable": variable, "vary": {variable: ["a*1e-14", "a*3e-15"]}}
     true = intervals[0][0] <= value(exact, Plain()) <= intervals[0][1]
-    return Claim(kind, keys, at, "true" if true else "false", f"in a claim of the kind {kind}"
-                 + (", moved" if moved else ""),
-                 f"exact: {exact}", most_digits=50, group="rounded")
+    return _claim(kind, keys, at, true, f"in a claim of the kind {kind}", moved, (exact,))
 
 
 KINDS = {"rounded": draw_rounded}

@@ -111,13 +111,12 @@ def draw_monotone(rng, digits):
         claimed = rng.choice(("increasing", "decreasing"))
         if sense in ("increasing", "decreasing") and rng.random() < 0.3:
             claimed = sense
-        truth = "true" if claimed == sense else "false"
         keys = {"says": f"next({of}) {'>' if claimed == 'increasing' else '<'} {of}", "along": along}
         if along == "s":
             keys["vary"] = {"s": texts}
         label = "tiny steps" if "e-" in texts[-1] or "e-" in texts[1] else "ordinary steps"
         label += ", constant" if sense == "constant" else ""
-        return Claim("condition", keys, at if along == "s" else _swept(at, along, texts), truth, label,
+        return Claim("condition", keys, at if along == "s" else _swept(at, along, texts), claimed == sense, label,
                      f"it is {sense}", group="monotone")
 
 
@@ -208,7 +207,7 @@ def _limit_claim(rng, of, limit, along, at, vary, values, evaluate, label):
         off = [abs(v - evaluate(number)) for v in values]
         if any(abs(y - x / 2) <= mpf(10) ** -200 * (x + y + mpf(10) ** -300) for x, y in zip(off, off[1:])):
             return None  # equality, which no enclosure decides
-        truth = "true" if all(y < x / 2 for x, y in zip(off, off[1:])) else "false"
+        truth = all(y < x / 2 for x, y in zip(off, off[1:]))
     says = f"abs(next({of}) - ({number})) < abs({of} - ({number}))/2"
     return Claim("condition", {"says": says, "along": along, **vary}, at, truth, label, group="nearer by half")
 

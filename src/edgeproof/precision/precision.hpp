@@ -10,14 +10,12 @@
 ///                   a stream
 ///   ball.hpp        Ball (Arb): a midpoint and a proved radius
 ///   ball_series.hpp BallSeries: truncated power series with balls as coefficients
-///   interval.hpp    Interval: both ends of a range, whose signs are exact
 ///   arb_values.hpp  values of Arb's types that clear themselves
 ///   bounded_cache.hpp  tables of bounded size
 ///   escalate.hpp    precision doubled until an enclosure is narrow enough
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/ball/ball_series.hpp"
-#include "edgeproof/precision/ball/interval.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rational.hpp"

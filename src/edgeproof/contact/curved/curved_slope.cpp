@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/curved/curved_slope.hpp"
 
+#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
-#include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/precision/ball/acb_values.hpp"
-#include "edgeproof/precision/ball/interval.hpp"
 #include "edgeproof/precision/ball/magnitude.hpp"
 
+#include <algorithm>
+#include <array>
+#include <optional>
 #include <vector>
 
 namespace edgeproof::contact {
@@ -41,6 +43,21 @@ Box twice_square(decltype(acb_sin)& of_half, const Box& t) {
 bool is_small(const Box& r, const Ball& d, std::size_t terms) {
     const long bits = r.bits() / static_cast<long>(terms + 1);
     return Magnitude(r.get()) <= Magnitude::least(Ball(d * power_of_two(-bits, d.bits())));
+}
+
+std::vector<Ball> series_by(decltype(formula::real_taylor)& taylor, const Expr& slope,
+                            const Ball& x, std::size_t terms, long bits) {
+    AcbValue at;
+    AcbPolyValue g;
+    acb_set_arb(at, x.data());
+    taylor(g, slope, at, static_cast<slong>(terms), bits);
+    std::vector<Ball> series;
+    for (std::size_t k = 0; k < terms; ++k) {
+        Box c(bits);
+        acb_poly_get_coeff_acb(c.get(), g, static_cast<slong>(k));
+        series.push_back(c.real());
+    }
+    return series;
 }
 
 Box power(Box x, std::size_t n) {
@@ -110,131 +127,14 @@ Box SlopeOnSpan::integral(const Integrand& f, long accuracy, long bits) const {
 }
 
 std::vector<Ball> slope_series(const Expr& slope, const Ball& x, std::size_t terms, long bits) {
-    AcbValue at;
-    AcbValue value;
-    AcbPolyValue g;
-    acb_set_arb(at, x.data());
-    real_taylor(g, slope, at, static_cast<slong>(terms), bits);
-    std::vector<Ball> series;
-    for (std::size_t k = 0; k < terms; ++k) {
-        acb_poly_get_coeff_acb(value, g, static_cast<slong>(k));
-        series.emplace_back(0, bits);
-        arb_set(series.back().data(), acb_realref(value));
-    }
-    return series;
+    return series_by(formula::real_taylor, slope, x, terms, bits);
 }
 
 namespace {
 
 constexpr int most_halvings = 40;
 constexpr std::size_t most_cells = 4000;
-constexpr std::size_t taylor_terms = 6;
-
-/// A function of x and its derivative over an interval of x, by the rules of differentiation in
-/// interval arithmetic (moore-kearfott-cloud2009; DLMF 4.7, 4.20, 4.24, 4.34, 4.38).
-struct Rate {
-    Interval value;
-    Interval rate;
-};
-
-Interval interval_of(long n) { return Interval(Ball(n, Interval::bits)); }
-Interval squared(const Interval& x) { return pow_int(x, 2); }
-
-/// If a part of f may have no value, or if f is not bounded (a pole), then f may jump. Nothing is
-/// known of such a function, even after a bounded function has been applied to it.
-Rate continuous(bool defined, const Interval& value, const Interval& rate) {
-    return defined && value.is_finite() ? Rate{value, rate}
-                                        : Rate{Interval::everything(), Interval::everything()};
-}
-/// True if x lies between -1 and 1.
-bool in_unit(const Interval& x) {
-    return (interval_of(1) - x).nowhere_negative() && (interval_of(1) + x).nowhere_negative();
-}
-
-Rate operator-(const Rate& f) { return {-f.value, -f.rate}; }
-Rate operator+(const Rate& f, const Rate& g) { return {f.value + g.value, f.rate + g.rate}; }
-Rate operator-(const Rate& f, const Rate& g) { return {f.value - g.value, f.rate - g.rate}; }
-Rate operator*(const Rate& f, const Rate& g) {
-    return continuous(true, f.value * g.value, f.rate * g.value + f.value * g.rate);
-}
-Rate operator/(const Rate& f, const Rate& g) {
-    return continuous(true, f.value / g.value,
-                      (f.rate * g.value - f.value * g.rate) / squared(g.value));
-}
-Rate sqrt(const Rate& f) {
-    const Interval root = sqrt(f.value);
-    return continuous(f.value.nowhere_negative(), root, f.rate / (interval_of(2) * root));
-}
-Rate exp(const Rate& f) {
-    const Interval e = exp(f.value);
-    return continuous(true, e, e * f.rate);
-}
-Rate log(const Rate& f) {
-    return continuous(f.value.nowhere_negative(), log(f.value), f.rate / f.value);
-}
-Rate sin(const Rate& f) { return {sin(f.value), cos(f.value) * f.rate}; }
-Rate cos(const Rate& f) { return {cos(f.value), -sin(f.value) * f.rate}; }
-Rate tan(const Rate& f) {
-    const Interval t = tan(f.value);
-    return continuous(true, t, (interval_of(1) + squared(t)) * f.rate);
-}
-Rate asin(const Rate& f) {
-    return continuous(in_unit(f.value), asin(f.value),
-                      f.rate / sqrt(interval_of(1) - squared(f.value)));
-}
-Rate acos(const Rate& f) {
-    return continuous(in_unit(f.value), acos(f.value),
-                      -f.rate / sqrt(interval_of(1) - squared(f.value)));
-}
-Rate atan(const Rate& f) { return {atan(f.value), f.rate / (interval_of(1) + squared(f.value))}; }
-Rate sinh(const Rate& f) { return continuous(true, sinh(f.value), cosh(f.value) * f.rate); }
-Rate cosh(const Rate& f) { return continuous(true, cosh(f.value), sinh(f.value) * f.rate); }
-Rate tanh(const Rate& f) { return {tanh(f.value), f.rate / squared(cosh(f.value))}; }
-Rate asinh(const Rate& f) {
-    return {asinh(f.value), f.rate / sqrt(interval_of(1) + squared(f.value))};
-}
-Rate acosh(const Rate& f) {
-    return continuous((f.value - interval_of(1)).nowhere_negative(), acosh(f.value),
-                      f.rate / sqrt(squared(f.value) - interval_of(1)));
-}
-Rate atanh(const Rate& f) {
-    return continuous(in_unit(f.value), atanh(f.value),
-                      f.rate / (interval_of(1) - squared(f.value)));
-}
-Rate gamma(const Rate& f) {
-    if (!f.value.is_finite()) {
-        return continuous(false, f.value, f.rate);
-    }
-    const Ball at = Ball::hull(f.value.lower(), f.value.upper());
-    const std::vector<Ball> series =
-        slope_series(Expr::call("gamma", {Expr::symbol("x")}), at, 2, Interval::bits);
-    return continuous(series[0].is_finite() && series[1].is_finite(), Interval(series[0]),
-                      Interval(series[1]) * f.rate);
-}
-Rate pow(const Rate& f, const Rational& q) {
-    const Interval factor(Ball(q, Interval::bits));
-    return continuous(denominator(q) == 1 || f.value.nowhere_negative(), pow(f.value, q),
-                      factor * pow(f.value, Rational(q - 1)) * f.rate);
-}
-Rate pow(const Rate& f, const Rate& g) { return exp(g * log(f)); }
-
-struct RateEnvironment {
-    Interval x;
-    [[nodiscard]] Rate number(const Rational& q) const {
-        return {Interval(Ball(q, Interval::bits)), interval_of(0)};
-    }
-    [[nodiscard]] Rate pi() const { return {Interval(Ball::pi(Interval::bits)), interval_of(0)}; }
-    [[nodiscard]] Rate symbol(std::string_view) const { return {x, interval_of(1)}; }
-};
-
-struct SlopeCell {
-    Ball lo;
-    Ball hi;
-    int halvings;
-    [[nodiscard]] Ball middle() const {
-        return contact::middle((lo + hi).with_bits(Interval::bits) / 2);
-    }
-};
+constexpr std::size_t taylor_terms = 6; ///< in the place; in its root (HalfPiece) more
 
 using Sign = SlopeMonotonicity::Kind;
 
@@ -244,107 +144,147 @@ Sign sign_of(const Ball& x) {
                                              : Sign::open;
 }
 
-/// Decides the sign by the Taylor series of g'' at both ends of the cell and at its middle; the
-/// last coefficient of each series is an enclosure over the whole cell.
-Sign sign_by_series(const Expr& slope, const SlopeCell& cell) {
-    const std::vector<Ball> all =
-        slope_series(slope, Ball::hull(cell.lo, cell.hi), taylor_terms, Interval::bits);
-    for (const bool from_left : {true, false}) {
-        const std::vector<Ball> end =
-            slope_series(slope, from_left ? cell.lo : cell.hi, taylor_terms, Interval::bits);
-        for (std::size_t k = 1; k < taylor_terms; ++k) {
-            const bool mirrored = !from_left && k % 2 == 0;
-            if (sign_of(mirrored ? -all[k] : all[k]) == Sign::rises) {
-                return Sign::rises;
-            }
-            if (sign_of(mirrored ? -end[k] : end[k]) != Sign::rises) {
-                break;
-            }
+/// The Taylor coefficients of g over a ball of places; not finite if g has no value at one of them.
+std::vector<Ball> analytic_series(const Expr& g, const Ball& x, std::size_t terms) {
+    return series_by(formula::complex_taylor, g, x, terms, slope_bits);
+}
+
+/// True if the form of g shows that it has values over a cell that do not decrease, also where it
+/// is not analytic at the lower end, as sqrt(2*x + x^2) at 0.
+bool rises_by_form(const Expr& g, const Ball& lo, const Ball& hi) {
+    if (sign_of(analytic_series(g, Ball::hull(lo, hi), 2)[1]) == Sign::rises) {
+        return true;
+    }
+    const auto rises_from_zero = [&](const Expr& part) {
+        return rises_by_form(part, lo, hi) &&
+               sign_of(slope_series(part, lo, 1, slope_bits)[0]) == Sign::rises;
+    };
+    switch (g.kind()) {
+    case Expr::Kind::add:
+        return rises_by_form(g.arg(0), lo, hi) && rises_by_form(g.arg(1), lo, hi);
+    case Expr::Kind::mul:
+        return rises_from_zero(g.arg(0)) && rises_from_zero(g.arg(1));
+    default:
+        return g.builtin() == formula::Builtin::sqrt && rises_from_zero(g.arg(0));
+    }
+}
+
+/// Decides whether g rises between two numbers: by Taylor's formula at the lower one, where g' may
+/// be 0, with the last coefficient over the cell, by the form of g, or by the mean value theorem
+/// from the middle.
+Sign sign_on(const Expr& g, const Ball& lo, const Ball& hi, std::size_t terms = taylor_terms) {
+    const std::vector<Ball> all = analytic_series(g, Ball::hull(lo, hi), terms);
+    const std::vector<Ball> start = analytic_series(g, lo, terms);
+    for (std::size_t k = 1; k < terms; ++k) {
+        if (sign_of(all[k]) == Sign::rises) {
+            return Sign::rises;
+        }
+        if (sign_of(start[k]) != Sign::rises) {
+            break;
         }
     }
-    const Ball middle = cell.middle();
-    const std::vector<Ball> at = slope_series(slope, middle, 3, Interval::bits);
-    const Ball half = Ball::hull(cell.lo - middle, cell.hi - middle);
+    const Ball between = middle((lo + hi) / 2);
+    const std::vector<Ball> at = analytic_series(g, between, 3);
+    const Ball half = Ball::hull(lo - between, hi - between);
     const Ball least = at[1] + half * (2 * at[2] + 3 * half * all[3]);
-    return sign_of(least) == Sign::rises   ? Sign::rises
-           : sign_of(at[1]) == Sign::falls ? Sign::falls
-                                           : Sign::open;
+    return sign_of(least) == Sign::rises || rises_by_form(g, lo, hi) ? Sign::rises
+           : sign_of(at[1]) == Sign::falls                           ? Sign::falls
+                                                                     : Sign::open;
 }
 
-Sign sign_on(const Expr& slope, const SlopeCell& cell) {
-    const RateEnvironment at{Interval(cell.lo, cell.hi)};
-    const Interval rate = evaluate<Rate>(slope, at).rate;
-    if (rate.nowhere_negative()) {
-        return Sign::rises;
-    }
-    // The series is valid only at points where g' has a value.
-    const bool unknown = !rate.lower().is_finite() && !rate.upper().is_finite();
-    return unknown ? Sign::open : sign_by_series(slope, cell);
+/// A curved piece in the contact next to a knot: the place is knot + side w^root with
+/// 0 <= w <= end, and g = side g' is a function of w without a branch point at 0 (slope_at_root).
+struct HalfPiece {
+    Expr g;
+    long root;
+    int side;
+    Ball knot;
+    Ball end;
+};
+HalfPiece half_piece(const Expr& slope, const Expr& knot, int side, const Ball& length) {
+    const auto found = slope_at_root(slope, knot, side > 0);
+    const Expr x = Expr::symbol("x");
+    const SlopeAtRoot form =
+        found ? *found
+              : SlopeAtRoot{substitute(slope_from_knot(slope, knot), "x", side > 0 ? x : -x)};
+    const bool negated = form.slope.kind() == Expr::Kind::neg;
+    return {side > 0  ? form.slope
+            : negated ? form.slope.arg(0)
+                      : -form.slope,
+            form.root, side, enclosed_constant(Exact(knot), slope_bits),
+            upper_end(form.root == 1 ? length : pow(length, Rational(1, form.root)))};
 }
 
-/// Decides on the interval between two exact numbers, for a slope in the distance from `origin`.
-SlopeMonotonicity monotonicity_between(const Expr& slope, const Ball& origin, const Ball& lo,
-                                       const Ball& hi) {
-    std::vector<SlopeCell> cells{{lo, hi, 0}};
+/// True if g rises over a small cell although its rate is 0 at a rational number in it, or nearer
+/// to it than its width.
+bool rises_across(const Expr& g, const Ball& lo, const Ball& hi) {
+    const Ball from = lo * 2 - hi;
+    const Ball to = hi * 2 - lo;
+    const Rational zero = simplest_between(exact_value(from.lower()), exact_value(to.upper()));
+    const Ball at(zero, slope_bits);
+    return std::ranges::all_of(std::array{-1, 1}, [&](int side) {
+        const Ball length = upper_end(side < 0 ? at - from : to - at);
+        const HalfPiece half = half_piece(g, Expr::number(zero), side, length);
+        return sign_on(half.g, Ball(0, slope_bits), half.end) == Sign::rises;
+    });
+}
+
+SlopeMonotonicity monotonicity_on(const HalfPiece& half) {
+    struct Cell {
+        Ball lo;
+        Ball hi;
+        int halvings;
+    };
+    std::vector<Cell> cells{{Ball(0, slope_bits), half.end, 0}};
     std::optional<Ball> undecided; // g' may decrease near this point
     for (std::size_t done = 0; !cells.empty(); ++done) {
-        const SlopeCell cell = cells.back();
+        const Cell cell = cells.back();
         cells.pop_back();
-        const Ball middle = cell.middle();
-        const Sign sign = sign_on(slope, cell);
+        const Ball between = middle((cell.lo + cell.hi) / 2);
+        const Ball place = half.knot + pow_int(between, half.root) * half.side;
+        const Sign sign =
+            sign_on(half.g, cell.lo, cell.hi, taylor_terms * static_cast<std::size_t>(half.root));
         if (sign == Sign::falls || done >= most_cells) {
-            return {sign == Sign::falls ? sign : Sign::open, origin + middle};
+            return {sign == Sign::falls ? sign : Sign::open, place};
         }
-        if (sign == Sign::open && cell.halvings >= most_halvings) {
-            undecided = origin + middle;
-        } else if (sign == Sign::open) {
-            cells.push_back({middle, cell.hi, cell.halvings + 1});
-            cells.push_back({cell.lo, middle, cell.halvings + 1});
+        if (sign == Sign::open && cell.halvings < most_halvings) {
+            cells.push_back({between, cell.hi, cell.halvings + 1});
+            cells.push_back({cell.lo, between, cell.halvings + 1});
+        } else if (sign == Sign::open && !rises_across(half.g, cell.lo, cell.hi)) {
+            undecided = place;
         }
     }
     return {undecided ? Sign::open : Sign::rises, undecided};
 }
 
-/// Half of a curved piece in the contact: a slope in the distance from `origin`, where a knot is,
-/// between two exact distances, one of which is 0.
-struct HalfPiece {
-    Expr slope;
-    Ball origin;
-    Ball lo;
-    Ball hi;
-};
-
 /// The halves of all pieces between the edges that are not linear.
 std::vector<HalfPiece> half_pieces(const Profile& profile, const Ball& a, const Ball& b) {
-    const Ball left = lower_end((-b).with_bits(Interval::bits));
-    const Ball right = upper_end(a.with_bits(Interval::bits));
-    const Ball zero(0, Interval::bits);
+    const Ball left = lower_end((-b).with_bits(slope_bits));
+    const Ball right = upper_end(a.with_bits(slope_bits));
     std::vector<HalfPiece> halves;
     const auto& knots = profile.knots();
     for (std::size_t i = 0; i <= knots.size(); ++i) {
         const SlopePiece& piece = profile.pieces()[i];
-        const Ball from = i > 0 ? enclosed_constant(knots[i - 1], Interval::bits) : left;
-        const Ball to = i < knots.size() ? enclosed_constant(knots[i], Interval::bits) : right;
+        const Ball from = i > 0 ? enclosed_constant(knots[i - 1], slope_bits) : left;
+        const Ball to = i < knots.size() ? enclosed_constant(knots[i], slope_bits) : right;
         // The origin is a knot, so that no piece holds both edges.
         const bool ends_left = !certainly_less(left, from);
         const bool ends_right = !certainly_less(to, right);
         if (piece.linear || certainly_less(to, left) || certainly_less(right, from)) {
             continue;
         }
-        const Ball half = middle((from + to) / 2).with_bits(Interval::bits);
-        if (!ends_left) {
-            const Ball end =
-                upper_end(((ends_right ? right : half) - from).with_bits(Interval::bits));
-            if (certainly_positive(end)) { // else the piece has no part in the contact
+        const Ball half = middle((from + to) / 2);
+        const auto add = [&](std::size_t knot, int side, const Ball& length) {
+            if (certainly_positive(upper_end(length))) { // else no part is in the contact
                 halves.push_back(
-                    {slope_from_knot(piece.slope, knots[i - 1].expr()), from, zero, end});
+                    half_piece(piece.slope, knots[knot].expr(), side, upper_end(length)));
             }
+        };
+        if (!ends_left) {
+            add(i - 1, 1, (ends_right ? right : half) - from);
         }
         if (ends_left || !ends_right) {
-            const Ball end = lower_end(((ends_left ? left : half) - to).with_bits(Interval::bits));
-            if (certainly_negative(end)) {
-                halves.push_back({slope_from_knot(piece.slope, knots[i].expr()), to, end, zero});
-            }
+            add(i, -1, to - (ends_left ? left : half));
         }
     }
     return halves;
@@ -354,7 +294,7 @@ std::vector<HalfPiece> half_pieces(const Profile& profile, const Ball& a, const 
 
 SlopeMonotonicity monotonicity_of_slope(const Profile& profile, const Ball& a, const Ball& b) {
     for (const HalfPiece& half : half_pieces(profile, a, b)) {
-        SlopeMonotonicity found = monotonicity_between(half.slope, half.origin, half.lo, half.hi);
+        SlopeMonotonicity found = monotonicity_on(half);
         if (found.kind != Sign::rises) {
             return found;
         }
@@ -364,26 +304,34 @@ SlopeMonotonicity monotonicity_of_slope(const Profile& profile, const Ball& a, c
 
 Ball steepest_rise(const Profile& profile, const Ball& a, const Ball& b) {
     constexpr long parts = 32;
-    Ball most(0, Interval::bits);
+    Ball most(0, slope_bits);
     for (std::size_t i = 0; i < profile.knots().size(); ++i) {
-        const Ball knot = enclosed_constant(profile.knots()[i], Interval::bits);
+        const Ball knot = enclosed_constant(profile.knots()[i], slope_bits);
         if (profile.has_corner(i) && !certainly_less(knot, -b) && !certainly_less(a, knot)) {
-            return unknown_ball(Interval::bits);
+            return unknown_ball(slope_bits);
         }
     }
     for (const SlopePiece& piece : profile.pieces()) {
         if (piece.linear) {
-            most = max(most, enclosed_constant(Exact(piece.linear->rate), Interval::bits));
+            most = max(most, enclosed_constant(Exact(piece.linear->rate), slope_bits));
         }
     }
     for (const HalfPiece& half : half_pieces(profile, a, b)) {
+        // g'' = (dg/dw)/(root w^(root - 1)); next to the knot, if that is finite, by the mean value
+        // theorem it is the coefficient of w^root at a place between.
+        const auto n = static_cast<std::size_t>(half.root);
+        const std::vector<Ball> start = analytic_series(half.g, Ball(0, slope_bits), n);
+        const bool finite = std::all_of(start.begin() + 1, start.end(), [](const Ball& c) {
+            return c.is_exact() && contains_zero(c);
+        });
+        most = finite ? most : unknown_ball(slope_bits);
         for (long k = 0; k < parts; ++k) {
-            // the ends are exact, so that a distance of 0 remains 0
-            const auto at = [&](long i) {
-                return middle(half.lo + (half.hi - half.lo) * i / parts);
-            };
-            const Interval x(k == 0 ? half.lo : at(k), k + 1 == parts ? half.hi : at(k + 1));
-            most = max(most, evaluate<Rate>(half.slope, RateEnvironment{x}).rate.upper());
+            const Ball from = half.end * k / parts;
+            const Ball w = Ball::hull(from, half.end * (k + 1) / parts);
+            const Ball bend = k == 0 ? analytic_series(half.g, w, n + 1)[n]
+                                     : upper_end(analytic_series(half.g, w, 2)[1]) /
+                                           (pow_int(from, half.root - 1) * half.root);
+            most = max(most, bend);
         }
     }
     return upper_end(most);
@@ -392,20 +340,17 @@ Ball steepest_rise(const Profile& profile, const Ball& a, const Ball& b) {
 bool curvature_falls(const Profile& profile, const Ball& a) {
     constexpr int most_parts = 256;
     const auto& knots = profile.knots();
-    const Ball edge = upper_end(a.with_bits(Interval::bits));
+    const Ball edge = upper_end(a.with_bits(slope_bits));
     std::optional<Ball> least; // g'' at the end of the piece before
     for (std::size_t i = profile.origin(); i < knots.size(); ++i) {
-        const Ball from = enclosed_constant(knots[i], Interval::bits);
-        const Ball to = i + 1 < knots.size()
-                            ? min(enclosed_constant(knots[i + 1], Interval::bits), edge)
-                            : edge;
+        const Ball from = enclosed_constant(knots[i], slope_bits);
+        const Ball to =
+            i + 1 < knots.size() ? min(enclosed_constant(knots[i + 1], slope_bits), edge) : edge;
         if (!certainly_less(from, edge)) {
             break;
         }
         const Expr& slope = profile.pieces()[i + 1].slope;
-        const auto bend = [&](const Ball& x) {
-            return slope_series(slope, x, 2, Interval::bits)[1];
-        };
+        const auto bend = [&](const Ball& x) { return slope_series(slope, x, 2, slope_bits)[1]; };
         if (profile.has_corner(i) || (least && !certainly_less(bend(from), *least))) {
             return false;
         }
@@ -413,7 +358,7 @@ bool curvature_falls(const Profile& profile, const Ball& a) {
         for (int parts = 1, k = 0; k < parts; ++k) {
             const Ball x =
                 Ball::hull(from + (to - from) * k / parts, from + (to - from) * (k + 1) / parts);
-            const Ball third = slope_series(slope, x, 3, Interval::bits)[2];
+            const Ball third = slope_series(slope, x, 3, slope_bits)[2];
             if (arb_is_nonpositive(third.data()) == 0) {
                 if (parts == most_parts) {
                     return false;

@@ -43,6 +43,9 @@ struct SlopeOnSpan {
                                     const Box& t, const Box& s) const;
 };
 
+/// The precision of what is proved of a slope, whatever that of the contact is.
+constexpr long slope_bits = 128;
+
 /// Returns the Taylor series of g' about x with `terms` terms; each coefficient is an enclosure for
 /// every point of the ball.
 [[nodiscard]] std::vector<Ball> slope_series(const Expr& slope, const Ball& x, std::size_t terms,
@@ -64,12 +67,11 @@ struct SlopeMonotonicity {
 };
 
 /// Decides whether g' is monotone over [-b, a], by the signs of g'' on cells that are bisected
-/// (docs/curved-slopes.md, "The slope must be proved to rise"): in interval arithmetic
-/// (moore-kearfott-cloud2009), or by the Taylor series at an end of a cell, for a g'' that is 0
-/// there. Corners are not examined, because the constructor of the Profile has decided their signs
-/// exactly. A wide ball only makes the contact longer. There is no decision if g'' touches 0
-/// between two knots, unless this is visible as a square, or if g' contains a function that
-/// complex_taylor.hpp does not support.
+/// (docs/curved-slopes.md, "The slope must be proved to rise") by Taylor series over a cell, and at
+/// an end of it for a g'' that is 0 there. Corners are not examined, because the constructor of the
+/// Profile has decided their signs exactly. A wide ball only makes the contact longer. There is no
+/// decision if g'' touches 0 between two knots, unless this is visible at a rational z as in
+/// (x - z)^3, or if g' contains a function that complex_taylor.hpp does not support.
 /// @param profile g'(x)
 /// @param a,b distances of the edges from the origin (length)
 [[nodiscard]] SlopeMonotonicity monotonicity_of_slope(const Profile& profile, const Ball& a,

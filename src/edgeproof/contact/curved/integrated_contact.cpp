@@ -8,7 +8,6 @@
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
-#include "edgeproof/precision/ball/interval.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
@@ -37,8 +36,8 @@ bool one_formula(const Profile& profile, std::size_t knot) {
     if (profile.has_corner(knot) || !algebra::proved_zero(right - profile.pieces()[knot].slope)) {
         return false;
     }
-    const std::vector<Ball> series = slope_series(
-        right, enclosed_constant(profile.knots()[knot], Interval::bits), 2, Interval::bits);
+    const std::vector<Ball> series =
+        slope_series(right, enclosed_constant(profile.knots()[knot], slope_bits), 2, slope_bits);
     return std::ranges::all_of(series, [](const Ball& g) { return g.is_finite(); });
 }
 
@@ -181,21 +180,12 @@ std::vector<Ball> IntegratedContact::right_expansion(std::size_t terms) const {
         I[k] = -I[k];
     }
     const Ball D = a_ + b_;
-    std::vector<Ball> root{Ball(1, bits_)}; // of sqrt(1 - u/D) (DLMF 4.6.7)
-    for (std::size_t k = 1; k < terms; ++k) {
-        const long n = static_cast<long>(k);
-        root.push_back(root.back() * (2 * n - 3) / (2 * n) / D);
+    BallSeries rest(Ball(1, bits_), terms); // 1 - u/D
+    if (terms > 1) {
+        rest.set(1, -1 / D);
     }
     const Ball scale = modulus_ / (Ball::pi(bits_) * 2) * sqrt(D);
-    std::vector<Ball> c;
-    for (std::size_t n = 0; n < terms; ++n) {
-        Ball sum(0, bits_);
-        for (std::size_t k = 0; k <= n; ++k) {
-            sum += I[k] * root[n - k];
-        }
-        c.push_back(scale * sum);
-    }
-    return c;
+    return (BallSeries(I) * sqrt(rest) * scale).coefficients();
 }
 
 std::vector<Ball> IntegratedContact::series_of_slope(std::size_t piece, const Ball& x,

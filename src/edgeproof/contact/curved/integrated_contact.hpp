@@ -18,11 +18,8 @@ namespace edgeproof::contact {
 /// enclosure found by Arb's rigorous integration (johansson2018) over theta, where s = c + d
 /// cos(theta) removes the singularities at the edges (docs/curved-slopes.md).
 ///
-/// All values are valid for a g' that does not decrease; curved_slope.hpp proves this. An
-/// edge that is not given is enclosed between two trial edges. The integral of g' over theta
-/// (eqn:Consistency) decreases as the left edge moves outwards, and the force increases with the
-/// right edge of a contact that satisfies the consistency condition. Opposite signs at both trial
-/// edges therefore prove that exactly one edge lies between them.
+/// All values are valid for a g' that does not decrease; curved_slope.hpp proves this. Edges that
+/// are not given are enclosed as a zone of tilt 0 (zone_equations.hpp).
 class IntegratedContact : public PlaneContact {
 public:
     /// Throws BudgetError where `bits` do not suffice to enclose the edges.
@@ -156,8 +153,6 @@ private:
     [[nodiscard]] BallZone near_edges() const;
     /// Encloses the edges that are not given.
     void enclose_edges();
-    /// Encloses b for the right edge `a`, near `start`; nothing if the bits do not suffice.
-    [[nodiscard]] std::optional<Ball> left_edge_near(const Ball& a, const Ball& start) const;
     /// Returns the knot inside the contact that lies at x, if g' does not jump there.
     [[nodiscard]] std::optional<std::size_t> knot_at(const std::optional<Exact>& x) const;
     [[nodiscard]] Ball pressure_at_knot(const Ball& from_edge, std::size_t knot) const {

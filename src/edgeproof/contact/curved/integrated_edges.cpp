@@ -12,36 +12,10 @@ namespace edgeproof::contact {
 namespace {
 
 constexpr long spent_on_signs = 24; ///< bits, for the sign of a sum near its zero
-constexpr long spent_on_both = 16;  ///< additional bits if an edge depends on the other one
-
-constexpr long few_bits = 80; ///< of the search for the edges
-constexpr long enough = 24;   ///< bits of accuracy, for Newton's method
-
-struct Between {
-    Ball lo;
-    Ball hi;
-};
-
-/// Returns the numbers middle -+ 2^-bits |middle|.
-Between narrow_range(const Ball& middle, long bits) {
-    const Ball slack = abs(middle) * power_of_two(-bits, middle.bits());
-    return {lower_end(middle - slack), upper_end(middle + slack)};
-}
+constexpr long few_bits = 80;       ///< of the search for the edges
+constexpr long enough = 24;         ///< bits of accuracy, for Newton's method
 
 } // namespace
-
-/// Encloses the left edge for the right edge `a`: the integral of g' over theta decreases as the
-/// left edge moves outwards (docs/curved-slopes.md, "Edges").
-std::optional<Ball> IntegratedContact::left_edge_near(const Ball& a, const Ball& start) const {
-    for (long narrow = bits_ - spent_on_signs; narrow > 8; narrow -= bits_ / 8) {
-        const Between trial = narrow_range(start, narrow);
-        if (certainly_positive(trial.lo) && certainly_positive(slope_integral(a, trial.lo, 0)) &&
-            certainly_negative(slope_integral(a, trial.hi, 0))) {
-            return Ball::hull(trial.lo, trial.hi);
-        }
-    }
-    return {};
-}
 
 /// With the partial derivatives P_a and P_b of P(a, b), the integral of g' over theta has the
 /// derivatives kappa P_a and -kappa P_b, kappa = 4/(E* (a + b)). So b' = P_a/P_b along the contacts
@@ -96,50 +70,44 @@ BallZone IntegratedContact::near_edges() const {
 }
 
 void IntegratedContact::enclose_edges() {
+    const bool by_force = load_.kind == Load::Kind::force;
     const BallZone near = near_edges();
-    const auto too_few = [&] {
-        return BudgetError("ball arithmetic at " + std::to_string(bits_) +
-                           " bits does not enclose an edge");
+    bool enclosed = true;
+    try {
+        const BallZone zone = equations(bits_).proved(near);
+        a_ = by_force ? zone.a : a_;
+        b_ = zone.b;
+    } catch (const BudgetError&) {
+        enclosed = false;
+        b_ = near.b;
+    }
+    // Where the only unknown edge may be on a bend, the rates are not known, but the signs of a
+    // function that falls as the edge moves out.
+    const auto falling = [&](const Ball& edge) {
+        return by_force ? enclosed_constant(load_.value, bits_) - force_of(edge, edge)
+                        : slope_integral(a_, edge, 0);
     };
-    if (load_.kind == Load::Kind::right_edge) {
-        const auto b = left_edge_near(a_, near.b);
-        b_ = b ? *b : near.b;
-        if ((!b || edge_may_be_on_knot()) && odd_within(profile_, load_.value.expr())) {
-            known_b_ = load_.value;
-            b_ = a_;
-            find_knots_on_edges();
-        } else if (!b) {
-            throw too_few();
-        }
-        return;
-    }
-    const Ball P = enclosed_constant(load_.value, bits_);
-    const bool symmetric = profile_.symmetric();
-    const ZoneRates rates = equations(few_bits).rates(near);
-    const Ball b_rate = middle(rates.right / rates.left);
-    // P increases with a along the contacts that satisfy the consistency condition; the left edge
-    // of each is enclosed (docs/curved-slopes.md, "Edges").
-    for (long narrow = bits_ - spent_on_signs - (symmetric ? 0 : spent_on_both); narrow > 8;
-         narrow -= bits_ / 8) {
-        const Between a = narrow_range(near.a, narrow);
-        std::optional<Between> b = a;
-        if (!symmetric) {
-            const auto left_of = [&](const Ball& x) {
-                const Ball start = near.b + b_rate * (x - near.a);
-                return left_edge_near(x, middle(start));
-            };
-            const auto lo = left_of(a.lo);
-            const auto hi = lo ? left_of(a.hi) : lo;
-            b = lo && hi ? std::optional(Between{*lo, *hi}) : std::nullopt;
-        }
-        if (b && certainly_less(force_of(a.lo, b->lo), P) &&
-            certainly_less(P, force_of(a.hi, b->hi))) {
-            a_ = Ball::hull(a.lo, a.hi);
-            b_ = symmetric ? a_ : Ball::hull(b->lo, b->hi);
-            return;
+    for (long k = bits_ - spent_on_signs; !enclosed && (!by_force || profile_.symmetric()) && k > 8;
+         k -= bits_ / 8) {
+        const Ball slack = abs(near.b) * power_of_two(-k, bits_);
+        const Ball lo = lower_end(near.b - slack);
+        const Ball hi = upper_end(near.b + slack);
+        if (certainly_positive(lo) && certainly_positive(falling(lo)) &&
+            certainly_negative(falling(hi))) {
+            enclosed = true;
+            b_ = Ball::hull(lo, hi);
+            a_ = by_force ? b_ : a_;
         }
     }
-    throw too_few();
+    if (!by_force && (!enclosed || edge_may_be_on_knot()) &&
+        odd_within(profile_, load_.value.expr())) {
+        known_b_ = load_.value;
+        b_ = a_;
+        find_knots_on_edges();
+    } else if (!enclosed) {
+        throw BudgetError("ball arithmetic at " + std::to_string(bits_) +
+                          " bits does not enclose an edge");
+    }
 }
 
 } // namespace edgeproof::contact

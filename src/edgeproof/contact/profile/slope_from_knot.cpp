@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/algebra/identity.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
 
@@ -8,47 +9,6 @@
 #include <vector>
 
 namespace edgeproof::contact {
-namespace {
-
-/// The first irrational constant in e, such as pi or sqrt(2).
-std::optional<Expr> irrational_part(const Expr& e) {
-    if (e.rational() != nullptr) {
-        return std::nullopt;
-    }
-    if (e.kind() == Expr::Kind::pi || e.kind() == Expr::Kind::call || e.kind() == Expr::Kind::pow) {
-        return e;
-    }
-    for (const Expr& part : e.args()) {
-        if (const auto found = irrational_part(part)) {
-            return found;
-        }
-    }
-    return std::nullopt;
-}
-
-Expr with_symbol_for(const Expr& e, const Expr& part, const Expr& symbol) {
-    if (e == part) {
-        return symbol;
-    }
-    std::vector<Expr> args;
-    for (const Expr& x : e.args()) {
-        args.push_back(with_symbol_for(x, part, symbol));
-    }
-    return args.empty() ? e : Expr::with_args(e, std::move(args));
-}
-
-/// True if a constant is 0 for any value of its irrational parts, for example pi/3 - 2*(pi/6).
-bool zero_by_form(const Expr& e) {
-    if (const Rational* q = e.rational()) {
-        return *q == 0;
-    }
-    const auto part = irrational_part(e);
-    const auto linear =
-        part ? as_linear(with_symbol_for(e, *part, Expr::symbol("part")), "part") : std::nullopt;
-    return linear && zero_by_form(linear->at_origin) && zero_by_form(linear->rate);
-}
-
-} // namespace
 
 Expr slope_from_knot(const Expr& slope, const Expr& knot) {
     if (!free_symbols(slope).contains("x")) {
@@ -58,7 +18,8 @@ Expr slope_from_knot(const Expr& slope, const Expr& knot) {
         const Expr there = linear->at_origin + linear->rate * knot;
         const Expr moved = linear->rate * Expr::symbol("x");
         const Rational* q = there.rational();
-        return zero_by_form(there) ? moved : (q != nullptr ? Expr::number(*q) : there) + moved;
+        return algebra::proved_zero(there) ? moved
+                                           : (q != nullptr ? Expr::number(*q) : there) + moved;
     }
     std::vector<Expr> args;
     for (const Expr& x : slope.args()) {

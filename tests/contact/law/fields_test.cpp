@@ -71,7 +71,7 @@ TEST_CASE("the brackets of Hertz over the rationals, exactly") {
     const Rational a(3, 7);
     const std::size_t terms = 12;
     const RationalSeries edge = RationalSeries::variable(a, terms);
-    const std::vector<Rational> r = right_edge_brackets(LawSeries<Rational>{edge, edge}, a);
+    const std::vector<Rational> r = right_edge_brackets(LawSeries<RationalSeries>{edge, edge}, a);
     REQUIRE(r.size() == terms);
     Rational ratio = 1;
     for (std::size_t k = 0; k < terms; ++k) {
@@ -89,9 +89,9 @@ TEST_CASE("the law of the mirror of the mirror is the law, exactly") {
                                                     Rational(4, 9), Rational(2, 3)});
     const RationalSeries b(std::vector<Rational>{Rational(1, 3), Rational(5, 2), Rational(-2, 3),
                                                  Rational(1, 4), Rational(6, 11)});
-    const LawSeries<Rational> law{rate, b};
-    const LawSeries<Rational> other = mirrored(law, a);
-    const LawSeries<Rational> again = mirrored(other, b[0]);
+    const LawSeries<RationalSeries> law{rate, b};
+    const LawSeries<RationalSeries> other = mirrored(law, a);
+    const LawSeries<RationalSeries> again = mirrored(other, b[0]);
     REQUIRE(again.force_rate.order() == 4);
     CHECK(other.b[1] == 1 / b[1]);
     CHECK(other.force_rate[0] == rate[0] / b[1]);
@@ -118,8 +118,8 @@ TEST_CASE("the law of the mirror gives the coefficients at the left edge") {
             rate.emplace_back(contact.force_derivatives(terms + 1)[k + 1].midpoint() / factorial);
             b.emplace_back(contact.left_edge_derivatives(terms)[k].midpoint() / factorial);
         }
-        const LawSeries<Real> other = mirrored(LawSeries<Real>{Series<Real>(rate), Series<Real>(b)},
-                                               Real(contact.a().midpoint()));
+        const auto other = mirrored(LawSeries<Series<Real>>{Series<Real>(rate), Series<Real>(b)},
+                                    Real(contact.a().midpoint()));
         const auto found =
             coefficients_of(right_edge_brackets(other, b[0]), Real(contact.length().midpoint()));
         const std::vector<Ball> expected = contact.expansion(Edge::left, found.size());

@@ -70,8 +70,8 @@ public:
             rate.push_back(derivative("P", k + 1, k));
             b.push_back(derivative("b", k, k));
         }
-        const contact::LawSeries<Form> law{series::Series<Form>(std::move(rate)),
-                                           series::Series<Form>(std::move(b))};
+        using Series = series::Series<Form>;
+        const contact::LawSeries<Series> law{Series(std::move(rate)), Series(std::move(b))};
         const Form a = symbol("a");
         std::vector<Form> c = edge == Edge::right
                                   ? right_edge_brackets(law, a)

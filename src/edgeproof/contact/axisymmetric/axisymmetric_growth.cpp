@@ -197,14 +197,11 @@ std::vector<Ball> AxisymmetricContact::expansion(Edge /*edge*/, std::size_t term
         return {};
     }
     std::vector<Ball> rates = approach_rates(terms);
-    std::vector<Ball> radii;
-    for (std::size_t k = 0; k < terms; ++k) {
-        rates[k] *= modulus_;
-        radii.push_back(k == 0 ? a_ : Ball(k == 1 ? 1 : 0, bits_));
+    for (Ball& rate : rates) {
+        rate *= modulus_;
     }
     // The plane contact with P'(s) = E* h'(s) has the same pressure.
-    const LawSeries<Ball> law{series::Series<Ball>(std::move(rates)),
-                              series::Series<Ball>(std::move(radii))};
+    const LawSeries<BallSeries> law{BallSeries(rates), BallSeries::variable(a_, terms)};
     return coefficients_of(right_edge_brackets(law, a_), Ball(a_ * 2));
 }
 

@@ -121,9 +121,6 @@ private:
         std::vector<std::size_t> inside; ///< these knots
         std::vector<Ball> insets;        ///< a - knot
         std::vector<Ball> outsets;       ///< b + knot
-        /// The insets and outsets that are known exactly.
-        std::vector<std::optional<Rational>> exact_insets;
-        std::vector<std::optional<Rational>> exact_outsets;
         Ball length;
         Ball arc;    ///< the integral of g'' over the angle h
         Ball factor; ///< E*/(2 pi); for a power law P'(a)/pi

@@ -23,23 +23,9 @@ struct BallContact::Place {
 void BallContact::fix() {
     fixed_ = {};
     fixed_.length = a_ + b_;
-    const auto exactly = [&](const Expr& e) {
-        const Rational* q = e.rational();
-        return q != nullptr ? std::optional<Rational>(*q) : std::nullopt;
-    };
     for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
         fixed_.insets.push_back(a_ - slope_.knots[i]);
         fixed_.outsets.push_back(b_ + slope_.knots[i]);
-        std::optional<Rational> inset;
-        std::optional<Rational> outset;
-        if (known_a_) {
-            inset = exactly(known_a_->expr() - profile_.knots()[i].expr());
-        }
-        if (const auto& b = known(Edge::left)) {
-            outset = exactly(b->expr() + profile_.knots()[i].expr());
-        }
-        fixed_.exact_insets.push_back(std::move(inset));
-        fixed_.exact_outsets.push_back(std::move(outset));
     }
     if (power_) {
         // p = (P'(a)/pi) I_m(|x|/a): moore-hills EQ03 with s/a for s.
@@ -78,24 +64,14 @@ Ball BallContact::pressure(Edge edge, const Exact& u) const {
     if (const auto& distance_of_edge = known(edge)) {
         // x is known exactly: exact algebra decides whether it lies on a knot, and gives its
         // distance from the knot.
-        const Rational* distance = u.expr().rational();
+        const Expr& a = distance_of_edge->expr();
         for (std::size_t i = 0; i < slope_.knots.size(); ++i) {
-            if (at.offsets[i].relative_accuracy_bits() >= bits_ - 8) {
-                continue;
-            }
-            const auto& exact =
-                edge == Edge::right ? fixed_.exact_insets[i] : fixed_.exact_outsets[i];
-            if (exact && distance != nullptr) {
-                const Rational offset = edge == Edge::right ? Rational(*distance - *exact)
-                                                            : Rational(*exact - *distance);
-                at.offsets[i] = Ball(offset, bits_);
-            } else if (contains_zero(at.offsets[i])) {
-                const Expr& a = distance_of_edge->expr();
+            if (at.offsets[i].relative_accuracy_bits() < bits_ - 8) {
                 const Expr x = edge == Edge::right ? a - u.expr() : u.expr() - a;
                 const Expr offset = profile_.knots()[i].expr() - x;
-                if (certainly_zero(offset)) {
-                    at.offsets[i] = Ball(0, bits_);
-                }
+                at.offsets[i] = contains_zero(at.offsets[i]) && certainly_zero(offset)
+                                    ? Ball(0, bits_)
+                                    : constant(offset);
             }
         }
     }
@@ -213,8 +189,7 @@ std::vector<Ball> BallContact::force_derivatives(std::size_t count) const {
 
 std::vector<Ball> BallContact::right_expansion(std::size_t terms) const {
     // docs/expansions.md, "The right edge"
-    const LawSeries<Ball> law{series::Series<Ball>(total_rate_series(terms).coefficients()),
-                              series::Series<Ball>(left_edge_series(terms).coefficients())};
+    const LawSeries<BallSeries> law{total_rate_series(terms), left_edge_series(terms)};
     return coefficients_of(right_edge_brackets(law, a_), Ball(a_ + b_));
 }
 

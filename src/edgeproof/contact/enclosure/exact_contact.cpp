@@ -21,45 +21,21 @@ namespace {
 /// With more knots the exact algebra would take too long.
 constexpr std::size_t most_knots_in_symbols = 60;
 
-Expr whole(long k) { return Expr::number(Rational(k)); }
-
-/// The integrals of the law over dg' for exact a and b (docs/mechanics.md, "One measure, six
-/// kernels").
-class SymbolicLaw {
-public:
-    /// Throws BudgetError if the order of a knot and an edge cannot be decided.
-    SymbolicLaw(const Profile& profile, Expr a, Expr b) : extent_{std::move(a), std::move(b)} {
-        if (!profile.piecewise_linear() || profile.knots().size() > most_knots_in_symbols) {
-            throw BudgetError("the law of this profile is not written in symbols");
+/// The marks of the knots. Throws NoExactForm if the order of a knot and an edge is not decided.
+std::vector<Mark<Form>> exact_marks(const LinearSlope<Form>& slope, const Extent<Form>& e) {
+    std::vector<Mark<Form>> marks;
+    for (const Form& v : slope.knots) {
+        const auto from_right = algebra::decided_sign(Form(e.a - v).expr());
+        const auto from_left = algebra::decided_sign(Form(e.b + v).expr());
+        if (!from_right || !from_left) {
+            throw NoExactForm();
         }
-        slope_ = linear_slope<Expr>(profile, [](const Expr& e) { return e; });
-        for (const Expr& v : slope_.knots) {
-            marks_.push_back(side(extent_.a - v) <= 0   ? right_end(extent_)
-                             : side(v + extent_.b) <= 0 ? left_end(extent_)
-                                                        : mark(extent_, v));
-        }
+        marks.push_back(*from_right <= 0  ? right_end(e)
+                        : *from_left <= 0 ? left_end(e)
+                                          : mark(e, v));
     }
-
-    /// The consistency condition (moore-hills EQ20): zero if the edges are in balance.
-    [[nodiscard]] Expr imbalance() const { return linear_imbalance(slope_, extent_, marks_); }
-    /// P divided by E*/2 (moore-hills EQ22).
-    [[nodiscard]] Expr twice_force() const {
-        return over_linear_measure<ForceKernel>(slope_, extent_, marks_);
-    }
-
-private:
-    [[nodiscard]] static int side(const Expr& e) {
-        const auto sign = algebra::decided_sign(e);
-        if (!sign) {
-            throw BudgetError("a knot cannot be separated from an edge");
-        }
-        return *sign;
-    }
-
-    LinearSlope<Expr> slope_;
-    Extent<Expr> extent_;
-    std::vector<Mark<Expr>> marks_;
-};
+    return marks;
+}
 
 /// The simplest rational within the relative distance 2^-(bits/3) of q; nothing if it is not
 /// simple.
@@ -97,18 +73,11 @@ std::vector<Expr> candidates(const Ball& near, const std::vector<Expr>& knots, l
     return found;
 }
 
-/// The distances of the knots on one side of the origin, in ascending order.
-std::vector<Expr> distances(const Profile& profile, Edge edge) {
+/// The distances of the knots right of the origin, in ascending order.
+std::vector<Expr> distances(const Profile& profile) {
     std::vector<Expr> list;
-    const std::size_t o = profile.origin();
-    if (edge == Edge::right) {
-        for (std::size_t i = o + 1; i < profile.knots().size(); ++i) {
-            list.push_back(profile.knots()[i].expr());
-        }
-    } else {
-        for (std::size_t i = o; i-- > 0;) {
-            list.push_back(-profile.knots()[i].expr());
-        }
+    for (std::size_t i = profile.origin() + 1; i < profile.knots().size(); ++i) {
+        list.push_back(profile.knots()[i].expr());
     }
     return list;
 }
@@ -125,16 +94,14 @@ bool odd_within(const Profile& profile, const Expr& a) {
     if (profile.knots().size() > most_knots_in_symbols) {
         return false;
     }
-    const std::vector<Expr> right = distances(profile, Edge::right);
-    const std::vector<Expr> left = distances(profile, Edge::left);
-    const std::size_t o = profile.origin();
-    const Expr x = Expr::symbol("x");
+    const Profile mirror = profile.reflected();
+    const std::vector<Expr> right = distances(profile);
+    const std::vector<Expr> left = distances(mirror);
     std::size_t i = 0; // number of knots passed on the right; j: on the left
     std::size_t j = 0;
     for (;;) {
-        const Expr& to_the_right = profile.pieces()[o + 1 + i].slope;
-        const Expr& to_the_left = profile.pieces()[o - j].slope;
-        if (!algebra::proved_zero(to_the_right + substitute(to_the_left, "x", -x))) {
+        if (!algebra::proved_zero(profile.pieces()[profile.origin() + 1 + i].slope -
+                                  mirror.pieces()[mirror.origin() + 1 + j].slope)) {
             return false;
         }
         // The next knots within the contact.
@@ -164,10 +131,10 @@ std::optional<ExactEdges> exact_edges(const Profile& profile, const Exact& conta
                                       const Load& load, const Ball& near_a, const Ball& near_b) {
     const long bits = near_b.bits();
     const bool given = load.kind == Load::Kind::right_edge;
-    const std::vector<Expr> on_left = candidates(near_b, distances(profile, Edge::left), bits);
+    const std::vector<Expr> on_left = candidates(near_b, distances(profile.reflected()), bits);
     std::vector<Expr> all_a{load.value.expr()};
     if (!given) {
-        all_a = candidates(near_a, distances(profile, Edge::right), bits);
+        all_a = candidates(near_a, distances(profile), bits);
         if (overlaps(near_a, near_b)) { // b may be the mirror image of a knot
             all_a.insert(all_a.end(), on_left.begin(), on_left.end());
         }
@@ -179,13 +146,18 @@ std::optional<ExactEdges> exact_edges(const Profile& profile, const Exact& conta
                 if (given && odd && !profile.piecewise_linear()) {
                     return ExactEdges{load.value, Exact(b)};
                 }
-                const SymbolicLaw law(profile, a, b);
+                if (!profile.piecewise_linear() || profile.knots().size() > most_knots_in_symbols) {
+                    return std::nullopt;
+                }
+                const auto slope = linear_slope<Form>(profile, exact_form);
+                const Extent<Form> e{exact_form(a), exact_form(b)};
+                const std::vector<Mark<Form>> marks = exact_marks(slope, e);
+                const Form twice_force = over_linear_measure<ForceKernel>(slope, e, marks);
                 // A flat without force is in balance with any other edge on the flat.
-                if (algebra::decided_sign(law.twice_force()) == 1 &&
-                    (odd || algebra::proved_zero(law.imbalance())) &&
-                    (given ||
-                     algebra::proved_zero(load.value.expr() -
-                                          contact_modulus.expr() / whole(2) * law.twice_force()))) {
+                if (algebra::decided_sign(twice_force.expr()) == 1 &&
+                    (odd || linear_imbalance(slope, e, marks).is_zero()) &&
+                    (given || exact_form(load.value.expr()) ==
+                                  exact_form(contact_modulus.expr()) / 2 * twice_force)) {
                     return ExactEdges{given ? load.value : Exact(a), Exact(b)};
                 }
             } catch (const Error&) {
@@ -288,26 +260,16 @@ void AlgebraicContact::find_edges(const Load& load, const Ball& near_a, const Ba
 
 bool AlgebraicContact::holds(const Load& load) {
     try {
-        place_knots();
+        marks_ = exact_marks(slope_, {*a_, *b_});
+        for (const Mark<Form>& m : marks_) {
+            if (!(m.h / Form::pi()).rational()) {
+                return false; // sums of angles other than multiples of pi/12 would take too long
+            }
+        }
         return (profile_.symmetric() || linear_imbalance(slope_, {*a_, *b_}, marks_).is_zero()) &&
                (load.kind != Load::Kind::force || force() == exact_form(load.value.expr()));
     } catch (const Error&) {
         return false;
-    }
-}
-
-void AlgebraicContact::place_knots() {
-    marks_.clear();
-    const Extent<Form> e{*a_, *b_};
-    for (const Form& v : slope_.knots) {
-        const auto from_right = algebra::decided_sign(Form(e.a - v).expr());
-        const auto from_left = algebra::decided_sign(Form(e.b + v).expr());
-        if (!from_right || !from_left) {
-            throw NoExactForm();
-        }
-        marks_.push_back(*from_right <= 0  ? right_end(e)
-                         : *from_left <= 0 ? left_end(e)
-                                           : mark(e, v));
     }
 }
 
@@ -374,7 +336,7 @@ std::vector<Form> AlgebraicContact::expansion(Edge, std::size_t terms) const {
     }
     // docs/expansions.md, "The right edge"
     const auto coefficients = [](const S& rate, const S& a) {
-        return coefficients_of(right_edge_brackets(LawSeries<Form>{rate, a}, a[0]), a[0] * 2);
+        return coefficients_of(right_edge_brackets(LawSeries<S>{rate, a}, a[0]), a[0] * 2);
     };
     if (exponent_) {
         // With dP/da = K a^m, c_k is K a^(m - k - 1/2) times its value for K = a = 1.

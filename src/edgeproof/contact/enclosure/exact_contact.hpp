@@ -68,7 +68,6 @@ private:
     [[nodiscard]] static const Form& known(const std::optional<Form>& x);
     /// The marks of the knots, if it is known for all whether they are inside.
     [[nodiscard]] const std::vector<Mark<Form>>& marks() const;
-    void place_knots();
     void find_edges(const Load& load, const Ball& near_a, const Ball& near_b);
     /// True if a and b satisfy the exact equations.
     [[nodiscard]] bool holds(const Load& load);

@@ -74,6 +74,9 @@ template <> struct Field<BallSeries> {
     template <class Mark> static BallSeries other_angle(const Mark& m) {
         return -m.h + Ball::pi(m.h.bits());
     }
+    static BallSeries inverse_root(const BallSeries& x) {
+        return pow(x, Ball(Rational(-1, 2), x.bits()));
+    }
     static BallSeries resized(const BallSeries& x, std::size_t order) { return x.resized(order); }
     static void set_constant(BallSeries& x, const Ball& c) { x.set(0, c); }
 };
@@ -91,26 +94,8 @@ template <> struct Field<Form> {
     static bool vanishes(const X& x) { return x.is_zero(); }
     static X times(const X& weight, const X& x) { return weight * x; }
     static X root(const X& x) { return sqrt(x); }
-    /// The angle h by its cosine (far - near)/(far + near). Throws NoExactForm unless it is a
-    /// multiple of pi/12; sums of other angles would take too long.
-    static X angle(const X& near, const X& far) {
-        X h = acos((far - near) / (far + near));
-        return X(h / X::pi()).rational() ? h : throw NoExactForm();
-    }
-    template <class Mark> static X other_angle(const Mark& m) { return X::pi() - m.h; }
-};
-
-template <> struct Field<Expr> {
-    using X = Expr;
-    static X number(int k, const X&) { return X::number(Rational(k)); }
-    static X pi(const X&) { return X::pi(); }
-    static X over(const X& x, int k) { return x / X::number(Rational(k)); }
-    static bool vanishes(const X& x) { return x.rational() != nullptr && *x.rational() == 0; }
-    static X times(const X& weight, const X& x) { return weight * x; }
-    static X root(const X& x) { return X::call("sqrt", {x}); }
-    static X angle(const X& near, const X& far) {
-        return X::call("acos", {(far - near) / (far + near)});
-    }
+    /// The angle h by its cosine.
+    static X angle(const X& near, const X& far) { return acos((far - near) / (far + near)); }
     template <class Mark> static X other_angle(const Mark& m) { return X::pi() - m.h; }
 };
 

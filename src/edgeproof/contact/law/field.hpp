@@ -75,6 +75,11 @@ template <class T> struct Field<series::Series<T>> {
         return antiderivative(-(derivative(cosine) * over_sine.truncated(near.order() - 1)), start);
     }
     template <class Mark> static U other_angle(const Mark& m) { return pi(m.h) - m.h; }
+    /// x^(-1/2) for x = 1 + ...
+    static U inverse_root(const U& x) {
+        const T one = Field<T>::number(1, x[0]);
+        return pow_with_constant<T>(x, Field<T>::over(T(-one), 2), one);
+    }
     /// The series with fewer terms, or with more terms that are 0 (a start for Newton's steps).
     static U resized(const U& x, std::size_t order) {
         std::vector<T> c = x.coefficients();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/comparison/causes/causes.hpp"
-#include "edgeproof/roots/bracketed_root.hpp"
+#include "edgeproof/roots/place_of_minimum.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "edgeproof/comparison/measures/measures.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rational.hpp"
-#include "edgeproof/roots/bracketed_root.hpp"
+#include "edgeproof/roots/place_of_minimum.hpp"
 
 #include <fmt/format.h>
 

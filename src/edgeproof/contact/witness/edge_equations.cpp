@@ -2,9 +2,11 @@
 #include "edgeproof/contact/witness/edge_equations.hpp"
 
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/roots/bracketed_root.hpp"
+
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 
 namespace edgeproof::contact::witness {
@@ -62,7 +64,11 @@ template <class F> Real zero_of_falling(const F& f, const Real& start, const Rea
         (f_middle > 0 ? lo : hi) = middle;
         (f_middle > 0 ? f_lo : f_hi) = f_middle;
     }
-    return roots::bracketed_root<Real>(value, lo, f_lo, hi, f_hi, relative).x;
+    const auto narrow = [&](const Real& x, const Real& y) {
+        return abs(Real(y - x)) <= relative * abs(x);
+    };
+    std::uintmax_t evaluations = 400; // at most (TOMS algorithm 748)
+    return boost::math::tools::toms748_solve(value, lo, hi, f_lo, f_hi, narrow, evaluations).first;
 }
 
 /// The value of an integral on which an edge depends.

@@ -4,6 +4,7 @@
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"
+#include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 #include "edgeproof/contact/stress/cauchy_integral.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/precision/ball/acb_values.hpp"
@@ -32,6 +33,13 @@ Box coefficient_of(const AcbPolyValue& p, std::size_t k, long bits) {
     acb_poly_get_coeff_acb(c.get(), p, static_cast<slong>(k));
     return c;
 }
+std::vector<Box> coefficients_of(const AcbPolyValue& p, std::size_t terms, long bits) {
+    std::vector<Box> c;
+    for (std::size_t k = 0; k < terms; ++k) {
+        c.push_back(coefficient_of(p, k, bits));
+    }
+    return c;
+}
 void set_coefficient(AcbPolyValue& p, std::size_t k, const Box& c) {
     acb_poly_set_coeff_acb(p, static_cast<slong>(k), c.get());
 }
@@ -43,13 +51,15 @@ void root_series(AcbPolyValue& p, const Box& c, long rate, std::size_t terms) {
     acb_poly_sqrt_series(p, p, static_cast<slong>(terms), c.bits());
 }
 
+constexpr std::size_t derivatives = 4;
+
 /// k! times the coefficients 0 ... 3.
-CauchyDerivatives derivatives_of(const AcbPolyValue& p, long bits) {
+CauchyDerivatives derivatives_of(const std::vector<Box>& c) {
     CauchyDerivatives d;
     long factorial = 1;
-    for (std::size_t k = 0; k < d.size(); ++k) {
+    for (std::size_t k = 0; k < derivatives; ++k) {
         factorial *= std::max(1L, static_cast<long>(k));
-        d.at(k) = coefficient_of(p, k, bits) * Ball(factorial, bits);
+        d.at(k) = c[k] * Ball(factorial, c[k].bits());
     }
     return d;
 }
@@ -230,45 +240,21 @@ IntegratedContact::series_off_contact(const Box& centre, std::size_t terms, long
     root_series(left, centre + b_, 1, terms);
     acb_poly_mullow(M, M, right, length, bits_);
     acb_poly_mullow(M, M, left, length, bits_);
-    for (std::size_t k = 0; k < terms; ++k) {
-        made.T.push_back(coefficient_of(M, k, bits_) * (modulus_ / 2));
-    }
+    acb_poly_scalar_mul(M, M, Box(modulus_ / 2).get(), bits_);
+    made.T = coefficients_of(M, terms, bits_);
     return made;
 }
 
 CauchyDerivatives IntegratedContact::off_contact(const Around& series, const Box& zeta) const {
-    const Box z = zeta - series.centre;
-    const Ball part = upper_end(abs(z)) / series.distance;
-    const auto n = static_cast<long>(series.T.size());
-    const Ball force = abs(field_data().force);
-    CauchyDerivatives d;
-    Ball factorial(1, bits_);
-    for (long k = 0; k < 4; ++k) {
-        factorial *= std::max(1L, k);
-        Box sum(bits_);
-        for (long j = n; j-- > k;) {
-            Ball binomial(1, bits_);
-            arb_bin_uiui(binomial.data(), static_cast<ulong>(j), static_cast<ulong>(k), bits_);
-            sum = sum * z + series.T[static_cast<std::size_t>(j)] * binomial;
-        }
-        // each omitted term is at most this multiple of the one before it
-        const Ball less = 1 - part * (n + 1) / (n + 1 - k);
-        Ball rest(0, bits_);
-        if (!contains_zero(part) || !part.is_exact()) {
-            arb_bin_uiui(rest.data(), static_cast<ulong>(n), static_cast<ulong>(k), bits_);
-            rest = certainly_positive(less) ? rest * force * pow_int(part, n - k) /
-                                                  pow_int(series.distance, k + 1) / less
-                                            : unknown_ball(bits_);
-        }
-        d.at(static_cast<std::size_t>(k)) = (sum + box_of_size(rest)) * factorial;
-    }
-    return d;
+    const Magnitude most(abs(field_data().force) / series.distance);
+    return derivatives_of(
+        taylor_at(series.T, series.distance, most, zeta - series.centre, derivatives));
 }
 
 // Next to the contact: T = (E*/2)(pi (g' - mean) - W I), W = i sqrt((a - zeta)(zeta + b)), with
 // the power series of I about a place of the contact.
 CauchyDerivatives IntegratedContact::near_contact(const Box& zeta) const {
-    constexpr std::size_t order = 4;
+    constexpr std::size_t order = derivatives;
     const Ball right = a_ - zeta.real();
     const Ball left = zeta.real() + b_;
     if (!certainly_positive(right) || !certainly_positive(left)) {
@@ -302,7 +288,7 @@ CauchyDerivatives IntegratedContact::near_contact(const Box& zeta) const {
     acb_poly_scalar_mul(T, T, Box(Ball::pi(bits_)).get(), bits_);
     acb_poly_add(T, T, root, bits_);
     acb_poly_scalar_mul(T, T, Box(modulus_ / 2).get(), bits_);
-    return derivatives_of(T, bits_);
+    return derivatives_of(coefficients_of(T, order, bits_));
 }
 
 CauchyDerivatives IntegratedContact::cauchy_derivatives(const Box& zeta) const {

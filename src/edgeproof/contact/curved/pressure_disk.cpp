@@ -3,11 +3,13 @@
 
 #include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/precision/ball/acb_values.hpp"
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace edgeproof::contact {
 namespace {
@@ -92,10 +94,6 @@ public:
             sizes_.emplace_back(g_[k]);
         }
     }
-    /// D_0 without a disk, for all x of a ball that no span contains; g0 is g'(x).
-    DiskIntegrand(const SlopeOverTheta& integral, const Ball& x, const Ball& g0, long bits)
-        : DiskIntegrand(integral, integral.formulas.size(), x, {g0}, Ball(1, bits), Magnitude(), 1,
-                        bits) {}
     [[nodiscard]] std::size_t count() const override { return terms_; }
     bool bound(const quadrature::ThetaPlace& at, std::vector<Magnitude>& most) const override {
         const std::size_t piece = at.span.piece;
@@ -166,69 +164,61 @@ private:
     mutable AcbValue change_;
 };
 
-/// Bounds |I(z)| for |z - x| <= reach by real cells of theta.
-class Majorant {
-public:
-    Majorant(const SlopeOverTheta& integral, std::size_t holds, const Ball& x, const Ball& g0,
-             const Ball& r, const Ball& reach, const Magnitude& change)
-        : integral_(integral), holds_(holds), x_(x), g0_(g0), near_(r / 2), reach_(reach),
-          // |g'(z) - g'(x)| <= change |z - x|/r; and for |s - x| <= r/2, |z - x| <= 2 r/5 the
-          // quotient is a sum over |g_j| of at most (10/3) change/r.
-          at_point_(change * Magnitude(Ball(reach / r))),
-          quotient_(change * Magnitude(Ball(10, 64)) / Magnitude(Ball(3, 64)) /
-                    Magnitude::least(r)) {}
-
-    std::optional<Magnitude> operator()() {
-        for (const quadrature::ThetaSpan& span : integral_.pieces) {
-            // The radii of the ends are included; there the cells of two spans may overlap.
-            const Ball lo(span.from.with_bits(box_bits).lower(), box_bits);
-            const Ball hi(span.to.with_bits(box_bits).upper(), box_bits);
-            if (!cell(span.piece, lo, hi, 0)) {
+/// Bounds |I(z)| for |z - x| <= reach by real cells of theta; nothing if the depth is not enough.
+std::optional<Magnitude> majorant(const SlopeOverTheta& integral, std::size_t holds, const Ball& x,
+                                  const Ball& g0, const Ball& r, const Ball& reach,
+                                  const Magnitude& change) {
+    struct Cell {
+        Ball lo;
+        Ball hi;
+        int depth;
+    };
+    // |g'(z) - g'(x)| <= change |z - x|/r; and for |s - x| <= r/2, |z - x| <= 2 r/5 the quotient is
+    // a sum over |g_j| of at most (10/3) change/r.
+    const Magnitude near = Magnitude::least(r / 2);
+    const Magnitude at_point = change * Magnitude(Ball(reach / r));
+    const Magnitude quotient =
+        change * Magnitude(Ball(10, 64)) / Magnitude(Ball(3, 64)) / Magnitude::least(r);
+    Magnitude sum;
+    AcbValue place;
+    AcbValue value;
+    for (const quadrature::ThetaSpan& span : integral.pieces) {
+        // The radii of the ends are included; there the cells of two spans may overlap.
+        std::vector<Cell> cells{{Ball(span.from.with_bits(box_bits).lower(), box_bits),
+                                 Ball(span.to.with_bits(box_bits).upper(), box_bits), 0}};
+        while (!cells.empty()) {
+            const Cell cell = cells.back();
+            cells.pop_back();
+            const Ball theta = Ball::hull(cell.lo, cell.hi).with_bits(128);
+            const Ball s = integral.centre + integral.half_length * cos(theta);
+            const Ball gap = abs(Ball(s - x));
+            const Magnitude length(Ball(cell.hi - cell.lo));
+            if (span.piece == holds && Magnitude(gap) <= near) {
+                sum = sum + length * quotient;
+                continue;
+            }
+            const Ball from_disk = Ball(gap.with_bits(box_bits).lower(), box_bits) - reach;
+            const Ball width(s.radius(), box_bits);
+            if (certainly_positive(from_disk) && !certainly_less(from_disk, width)) {
+                acb_set_arb(place, s.data());
+                slope_change(value, integral.formulas[span.piece], place, g0, bits_over(place));
+                Magnitude size(value);
+                if (!(size <= integral.most_change)) {
+                    size = integral.most_change;
+                }
+                sum = sum + length * (size + at_point) / Magnitude::least(from_disk);
+                continue;
+            }
+            if (cell.depth == majorant_depth) {
                 return {};
             }
+            const Ball between = middle((cell.lo + cell.hi) / 2);
+            cells.push_back({between, cell.hi, cell.depth + 1});
+            cells.push_back({cell.lo, between, cell.depth + 1});
         }
-        return sum_;
     }
-
-private:
-    bool cell(std::size_t piece, const Ball& lo, const Ball& hi, int depth) {
-        const Ball s =
-            integral_.centre + integral_.half_length * cos(Ball::hull(lo, hi).with_bits(128));
-        const Ball gap = abs(Ball(s - x_));
-        const Magnitude length(Ball(hi - lo));
-        if (piece == holds_ && Magnitude(gap) <= Magnitude::least(near_)) {
-            sum_ = sum_ + length * quotient_;
-            return true;
-        }
-        const Ball from_disk = Ball(gap.with_bits(box_bits).lower(), box_bits) - reach_;
-        const Ball width(s.radius(), box_bits);
-        if (certainly_positive(from_disk) && !certainly_less(from_disk, width)) {
-            acb_set_arb(s_, s.data());
-            slope_change(change_, integral_.formulas[piece], s_, g0_, bits_over(s_));
-            Magnitude size(change_);
-            if (!(size <= integral_.most_change)) {
-                size = integral_.most_change;
-            }
-            sum_ = sum_ + length * (size + at_point_) / Magnitude::least(from_disk);
-            return true;
-        }
-        const Ball between = middle((lo + hi) / 2);
-        return depth < majorant_depth && cell(piece, lo, between, depth + 1) &&
-               cell(piece, between, hi, depth + 1);
-    }
-
-    const SlopeOverTheta& integral_;
-    std::size_t holds_;
-    const Ball& x_;
-    const Ball& g0_;
-    Ball near_;
-    Ball reach_;
-    Magnitude at_point_;
-    Magnitude quotient_;
-    Magnitude sum_;
-    AcbValue change_;
-    AcbValue s_;
-};
+    return sum;
+}
 
 } // namespace
 
@@ -265,7 +255,7 @@ PressureDisk::PressureDisk(const SlopeOverTheta& integral, std::size_t holds, co
         return;
     }
     radius_ = min(exact_lower(gap * 7 / 10), exact_lower(*chosen * 2 / 5));
-    const auto bound = Majorant(integral, holds, x, g0, *chosen, radius_, change)();
+    const auto bound = majorant(integral, holds, x, g0, *chosen, radius_, change);
     if (!bound) {
         return;
     }
@@ -301,40 +291,7 @@ std::vector<Box> PressureDisk::at(const Box& z, std::size_t order) const {
     for (const Ball& x : coefficients_) {
         c.emplace_back(x.with_bits(bits_));
     }
-    const std::size_t terms = c.size();
-    for (std::size_t k = 0; k < std::min(order, terms); ++k) {
-        for (std::size_t j = terms - 1; j-- > k;) {
-            acb_addmul(c[j].get(), z.get(), c[j + 1].get(), bits_);
-        }
-    }
-    c.resize(order, Box(bits_));
-    // The remainder: the sum over j >= terms of binomial(j, k) bound q^(j - k)/radius^k, by
-    // Cauchy's estimate (docs/curved-slopes.md, "Intervals and disks").
-    const bool real = arb_is_zero(acb_imagref(z.get())) != 0;
-    const Magnitude q(Ball(abs(z) / radius_));
-    Magnitude rest = bound_;
-    for (std::size_t j = 0; j < terms; ++j) {
-        rest = rest * q;
-    }
-    const auto n = static_cast<long>(terms);
-    const bool at_centre = q.is_zero();
-    for (long k = 0; k < static_cast<long>(order); ++k) {
-        // Each term is at most this multiple of the one before it.
-        const Ball less = 1 - q.ball(box_bits) * (n + 1) / std::max(1L, n + 1 - k);
-        if (at_centre && k < n) {
-            continue;
-        }
-        Box& sum = c[static_cast<std::size_t>(k)];
-        if (k >= n || !certainly_positive(less)) {
-            acb_indeterminate(sum.get());
-            continue;
-        }
-        const Ball error = (rest / Magnitude::least(less)).ball(bits_);
-        sum = sum + Box(error, real ? Ball(0, bits_) : error);
-        rest = rest * Magnitude(Ball(n - k, box_bits)) / Magnitude(Ball(k + 1, box_bits)) / q /
-               Magnitude::least(radius_);
-    }
-    return c;
+    return taylor_at(std::move(c), radius_, bound_, z, order);
 }
 
 bool PressureDisk::good_to(const Ball& z, long bits) const {
@@ -347,7 +304,9 @@ bool PressureDisk::good_to(const Ball& z, long bits) const {
 Ball outer_integral(const SlopeOverTheta& integral, const std::vector<quadrature::ThetaSpan>& outer,
                     std::size_t holds, const Ball& x, long bits) {
     const Ball slope = slope_series(integral.formulas[holds], x, 1, bits)[0];
-    const DiskIntegrand integrand(integral, x, slope, bits);
+    // D_0 without a disk: no span contains x.
+    const DiskIntegrand integrand(integral, integral.formulas.size(), x, {slope}, Ball(1, bits),
+                                  Magnitude(), 1, bits);
     const quadrature::ThetaGoal goal{
         Magnitude(integral.most_change.ball(box_bits) / integral.half_length *
                   power_of_two(-outer_bits, box_bits)),

@@ -165,65 +165,55 @@ EnclosedExtents BallExtentSearch::at(long bits) {
     found.measure = Ball(0, bits);
     found.first_exit = end;
     found.leaves = false;
-    Ball entered = start;
-    const auto leave = [&](const Ball& u) {
-        found.measure += u - entered;
-        if (!std::exchange(found.leaves, true)) {
-            found.first_exit = u;
-        }
-    };
     bool within = pieces.front().from == Side::within;
     found.starts_within = within;
     if (!within) {
         found.leaves = true;
         found.first_exit = start;
     }
+    Ball entered = start;
+    const auto cross = [&](const Ball& place, bool single) {
+        found.crossings.push_back(place);
+        found.single.push_back(single);
+        within = !within;
+        if (within) {
+            entered = place;
+            return;
+        }
+        found.measure += place - entered;
+        if (!std::exchange(found.leaves, true)) {
+            found.first_exit = place;
+        }
+    };
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const Piece& piece = pieces[i];
-        Ball place(0, bits);
-        if (piece.root) {
-            place = refine(f, piece);
-        } else if (piece.from == Side::unknown) {
+        if (!piece.root && piece.from != Side::unknown) {
+            continue;
+        }
+        const Ball place =
+            piece.root ? refine(f, piece) : Ball::hull(Ball(piece.lo, bits), Ball(piece.hi, bits));
+        std::size_t times = 1;
+        if (!piece.root) {
             const bool inner = i > 0 && i + 1 < pieces.size();
-            const bool same = inner && pieces[i - 1].to == pieces[i + 1].from;
-            const bool changes =
-                inner && (pieces[i - 1].to == Side::within) != (pieces[i + 1].from == Side::within);
-            place = Ball::hull(Ball(piece.lo, bits), Ball(piece.hi, bits));
-            const bool corner = same && f.corner_between(piece.lo, piece.hi);
-            if (corner && within) {
-                // The error leaves the tolerance and returns on the other side of the corner.
-                found.crossings.push_back(place);
-                leave(place);
-                within = false;
-            } else if (corner && pieces[i - 1].to == Side::above) {
-                // f passes from above the tolerance to -1 and back: it enters and leaves on either
-                // side of the corner.
-                found.crossings.insert(found.crossings.end(), 3, place);
-                found.measure += place - place;
-                entered = place;
-                within = true;
-            } else if (corner && pieces[i - 1].to == Side::below) {
-                continue; // of a tolerance of 1: f returns to -1 at the corner only
-            } else if (!changes) {
+            const Side before = inner ? pieces[i - 1].to : Side::unknown;
+            const Side after = inner ? pieces[i + 1].from : Side::unknown;
+            if (inner && before == after && f.corner_between(piece.lo, piece.hi)) {
+                // The error goes to -1 at the corner and back: from above the tolerance it enters
+                // and leaves on either side; of a tolerance of 1 it is there at the corner only.
+                times = within ? 2 : before == Side::above ? 4 : 0;
+            } else if ((before == Side::within) == (after == Side::within)) {
                 throw BudgetError("undecided at " + std::to_string(bits) +
                                   " bits: the error may touch the tolerance at u = " +
                                   Ball(piece.lo, 64).midpoint().str(12));
             }
-        } else {
-            continue;
         }
-        if (!certainly_less(start, place) || !certainly_less(place, end)) {
+        if (times > 0 && (!certainly_less(start, place) || !certainly_less(place, end))) {
             throw BudgetError("undecided at " + std::to_string(bits) +
                               " bits: a crossing may lie on an end of the range");
         }
-        found.crossings.push_back(place);
-        within = !within;
-        if (within) {
-            entered = place;
-        } else {
-            leave(place);
+        for (; times > 0; --times) {
+            cross(place, piece.root.has_value());
         }
-        found.single.resize(found.crossings.size(), piece.root.has_value());
     }
     if (within) {
         found.measure += end - entered;

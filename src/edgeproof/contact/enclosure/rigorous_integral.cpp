@@ -158,4 +158,37 @@ std::vector<Ball> taylor_on_circle(const std::function<Box(const Box& z)>& f, co
     return a;
 }
 
+std::vector<Box> taylor_at(std::vector<Box> c, const Ball& radius, const Magnitude& bound,
+                           const Box& z, std::size_t order) {
+    constexpr long bits_of_rest = 64;
+    const std::size_t terms = c.size();
+    const long bits = c[0].bits();
+    bool real = arb_is_zero(acb_imagref(z.get())) != 0;
+    for (const Box& x : c) {
+        real = real && acb_is_real(x.get()) != 0;
+    }
+    for (std::size_t k = 0; k < std::min(order, terms); ++k) {
+        for (std::size_t j = terms - 1; j-- > k;) {
+            acb_addmul(c[j].get(), z.get(), c[j + 1].get(), bits);
+        }
+    }
+    c.resize(order, Box(bits));
+    // The remainder: the sum over j >= n of binomial(j, k) bound q^(j - k)/radius^k, in which each
+    // term is at most a multiple of the one before it.
+    const auto n = static_cast<long>(terms);
+    const Ball q = upper_end(abs(z) / radius).with_bits(bits_of_rest);
+    for (long k = 0; k < static_cast<long>(order); ++k) {
+        const Ball less = 1 - q * (n + 1) / std::max(1L, n + 1 - k);
+        Ball rest = unknown_ball(bits_of_rest);
+        if (k < n && certainly_positive(less)) {
+            arb_bin_uiui(rest.data(), terms, static_cast<ulong>(k), bits_of_rest);
+            rest *= bound.ball(bits_of_rest) * pow_int(q, n - k) / pow_int(radius, k) / less;
+            rest = up_to(rest);
+        }
+        Box& sum = c[static_cast<std::size_t>(k)];
+        sum = sum + Box(rest, real ? Ball(0, bits_of_rest) : rest);
+    }
+    return c;
+}
+
 } // namespace edgeproof::contact

@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/ball/complex_box.hpp"
+#include "edgeproof/precision/ball/magnitude.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -50,6 +51,13 @@ constexpr long narrow_integral_bits = 64;
 [[nodiscard]] std::vector<Ball> taylor_on_circle(const std::function<Box(const Box& z)>& f,
                                                  const Ball& most, const Ball& rho,
                                                  const Rational& q, std::size_t terms);
+
+/// f(x + z + t) in powers of t, `order` coefficients, for every z of a box, from the first Taylor
+/// coefficients c of f about x. Each omitted one, of (z + t)^j, is at most bound/radius^j, by
+/// Cauchy's estimate for example (docs/curved-slopes.md, "Intervals and disks"). Not finite if z
+/// reaches too far.
+[[nodiscard]] std::vector<Box> taylor_at(std::vector<Box> c, const Ball& radius,
+                                         const Magnitude& bound, const Box& z, std::size_t order);
 
 /// Returns the bits of accuracy that are useful in an integral whose parameters have `known` bits;
 /// exact parameters have more than any other number.

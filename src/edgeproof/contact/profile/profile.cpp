@@ -5,6 +5,7 @@
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
@@ -53,34 +54,27 @@ Profile Profile::assemble(Kind kind, std::vector<Exact> knots, std::vector<Expr>
 }
 
 void Profile::continue_outer_pieces() {
-    const auto line_from = [](const RisingLimit& end) {
-        const Expr at = end.at.expr();
-        const Expr rate = Expr::number(end.rate);
-        return substitute(end.slope, "x", at) - rate * at + rate * symbol_x;
-    };
-    const auto add = [&](Edge edge, const RisingLimit& end) {
-        const Expr line = line_from(end);
+    for (const Edge edge : {Edge::right, Edge::left}) {
+        const auto end = rising_limit(*this, edge);
+        if (!end) {
+            continue;
+        }
+        const Expr at = end->at.expr();
+        const Expr rate = Expr::number(end->rate);
+        const Expr line = substitute(end->slope, "x", at) - rate * at + rate * symbol_x;
         const SlopePiece piece{line, as_linear(line, "x")};
         if (edge == Edge::right) {
-            right_limit_ = end.at;
-            knots_.push_back(end.at);
+            right_limit_ = end->at;
+            knots_.push_back(end->at);
             pieces_.push_back(piece);
             corner_.push_back(false);
         } else {
-            left_limit_ = end.at;
-            knots_.insert(knots_.begin(), end.at);
+            left_limit_ = end->at;
+            knots_.insert(knots_.begin(), end->at);
             pieces_.insert(pieces_.begin(), piece);
             corner_.insert(corner_.begin(), false);
             ++origin_;
         }
-    };
-    const auto right = rising_limit(*this, Edge::right);
-    const auto left = rising_limit(*this, Edge::left);
-    if (right) {
-        add(Edge::right, *right);
-    }
-    if (left) {
-        add(Edge::left, *left);
     }
 }
 
@@ -248,19 +242,10 @@ Profile Profile::piecewise_symmetric(const std::vector<Exact>& knots,
 }
 
 std::string Profile::kind_name() const {
-    switch (kind_) {
-    case Kind::power_law:
-        return "power-law";
-    case Kind::flat_and_rounded:
-        return "flat-and-rounded";
-    case Kind::tilted_wedge:
-        return "tilted-wedge";
-    case Kind::tilted_flat_and_rounded:
-        return "tilted-flat-and-rounded";
-    case Kind::piecewise:
-        break;
-    }
-    return "piecewise";
+    constexpr std::array names{"power-law", "flat-and-rounded", "tilted-wedge",
+                               "tilted-flat-and-rounded", "piecewise"};
+    static_assert(names.size() == static_cast<std::size_t>(Kind::piecewise) + 1);
+    return names.at(static_cast<std::size_t>(kind_));
 }
 
 bool Profile::piecewise_linear() const noexcept {

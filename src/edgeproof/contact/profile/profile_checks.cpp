@@ -104,43 +104,6 @@ std::vector<bool> checked_corners(const Profile& profile) {
 
 namespace {
 
-/// The slope of an outer piece at distances `away` outwards from its knot.
-class OuterPiece {
-public:
-    OuterPiece(const Profile& profile, Edge edge)
-        : slope_(profile), right_(edge == Edge::right), piece_(right_ ? profile.knots().size() : 0),
-          knot_(right_ ? slope_.knots().back() : slope_.knots().front()) {}
-
-    [[nodiscard]] Real place(const Real& away) const {
-        return right_ ? Real(knot_ + away) : Real(knot_ - away);
-    }
-    /// g', positive outwards; nothing where g' has no finite value.
-    [[nodiscard]] std::optional<Real> value(const Real& away) const {
-        try {
-            const Real g = slope_.value(piece_, place(away));
-            if (isfinite(g)) {
-                return right_ ? g : Real(-g);
-            }
-        } catch (const DomainError&) {
-        }
-        return std::nullopt;
-    }
-    /// False if g'' is negative.
-    [[nodiscard]] bool rises(const Real& away) const {
-        try {
-            return !(slope_.rate(piece_, place(away)) < 0);
-        } catch (const DomainError&) {
-            return true; // for example a corner of abs
-        }
-    }
-
-private:
-    RealSlope slope_;
-    bool right_;
-    std::size_t piece_;
-    Real knot_;
-};
-
 Rational dyadic(int k) {
     const Rational q(Integer(1) << static_cast<unsigned>(k < 0 ? -k : k));
     return k < 0 ? Rational(1 / q) : q;
@@ -157,17 +120,38 @@ std::optional<RisingLimit> rising_limit(const Profile& profile, Edge edge) {
     if (piece.linear) {
         return std::nullopt;
     }
-    const OuterPiece g(profile, edge);
+    const RealSlope g(profile);
+    const std::size_t outer = right ? profile.knots().size() : 0;
+    const Real last = right ? g.knots().back() : g.knots().front();
+    const auto place = [&](const Rational& away) {
+        const Real d = from_rational<Real>(away);
+        return right ? Real(last + d) : Real(last - d);
+    };
+    // g', positive outwards; nothing where g' has no finite value
+    const auto value = [&](const Rational& away) -> std::optional<Real> {
+        try {
+            const Real there = g.value(outer, place(away));
+            return isfinite(there) ? std::optional(right ? there : Real(-there)) : std::nullopt;
+        } catch (const DomainError&) {
+            return std::nullopt;
+        }
+    };
+    const auto falls = [&](const Rational& away) {
+        try {
+            return g.rate(outer, place(away)) < 0;
+        } catch (const DomainError&) {
+            return false; // g'' is not finite
+        }
+    };
     Rational good(0);
     Real previous(0);
     const auto still_rises = [&](const Rational& away) {
-        const Real d = from_rational<Real>(away);
-        const auto value = g.value(d);
-        return value && (good == 0 || !(*value < previous)) && g.rises(d);
+        const auto there = value(away);
+        return there && (good == 0 || !(*there < previous)) && !falls(away);
     };
     const auto advance = [&](const Rational& away) {
         good = away;
-        previous = *g.value(from_rational<Real>(away));
+        previous = *value(away);
     };
     std::optional<Rational> bad;
     for (int k = -decades_of_two; k <= decades_of_two && !bad; ++k) {
@@ -182,8 +166,8 @@ std::optional<RisingLimit> rising_limit(const Profile& profile, Edge edge) {
         return std::nullopt;
     }
     if (good == 0) {
-        const Real x = g.place(from_rational<Real>(*bad));
-        if (!g.value(from_rational<Real>(*bad))) {
+        const Real x = place(*bad);
+        if (!value(*bad)) {
             throw InputError("g' = " + to_text(piece.slope) +
                                  " has no value at x = " + short_text(x),
                              "give an expression that has values near the knot of its piece");
@@ -201,8 +185,7 @@ std::optional<RisingLimit> rising_limit(const Profile& profile, Edge edge) {
     // The limit is moved back by about a millionth, so that a pole, such as one of tan(x), lies
     // outside.
     const Rational away = good * (1 - dyadic(-20));
-    const Real d = from_rational<Real>(away);
-    const Real steep = g.value(d).value_or(previous) / d;
+    const Real steep = value(away).value_or(previous) / from_rational<Real>(away);
     if (steep > Real(1e300)) {
         return std::nullopt; // beyond the range of binary64 (an exponential): it still rises
     }

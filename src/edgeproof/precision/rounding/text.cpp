@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ostream>
+#include <utility>
 
 namespace edgeproof {
 
@@ -49,24 +50,31 @@ Decimal decimal_of(const Real& x, unsigned count, mpfr_rnd_t rounding) {
     return d;
 }
 
+/// Writes a decimal that has digits without an exponent.
+std::string plain(const Decimal& d) {
+    const auto zeros = [](long n) { return std::string(static_cast<std::size_t>(n), '0'); };
+    const auto size = static_cast<long>(d.digits.size());
+    std::string text = d.digits;
+    if (d.exponent <= 0) {
+        text.insert(0, "0." + zeros(-d.exponent));
+    } else if (d.exponent < size) {
+        text.insert(static_cast<std::size_t>(d.exponent), ".");
+    } else {
+        text += zeros(d.exponent - size);
+    }
+    return (d.negative ? "-" : "") + text;
+}
+
 /// Lays out a decimal as to_decimal() does.
 std::string layout(const Decimal& d, unsigned digits) {
     if (d.digits.empty()) {
         return "0";
     }
-    const std::string sign = d.negative ? "-" : "";
     const long point = d.exponent; // digits before the decimal point
     if (point > -5 && point <= static_cast<long>(digits)) {
-        if (point <= 0) {
-            return sign + "0." + std::string(static_cast<std::size_t>(-point), '0') + d.digits;
-        }
-        const auto before = static_cast<std::size_t>(point);
-        std::string text = sign + d.digits.substr(0, before);
-        if (before < d.digits.size()) {
-            text += "." + d.digits.substr(before);
-        }
-        return text;
+        return plain(d);
     }
+    const std::string sign = d.negative ? "-" : "";
     std::string text = sign + d.digits.substr(0, 1);
     if (d.digits.size() > 1) {
         text += "." + d.digits.substr(1);
@@ -232,14 +240,9 @@ Rational parse_decimal(std::string_view text) {
         }
         scale += exponent;
     }
-    const std::size_t first = digits.find_first_not_of('0');
-    if (first == std::string::npos) {
-        return 0;
-    }
-    const Integer whole(digits.substr(first));
-    const Integer power = pow(Integer(10), static_cast<unsigned>(scale < 0 ? -scale : scale));
-    Rational q = scale < 0 ? Rational(whole, power) : Rational(whole * power);
-    return negative ? Rational(-q) : q;
+    digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
+    const auto exponent = static_cast<long>(digits.size()) + scale;
+    return Decimal{negative, std::move(digits), exponent}.value();
 }
 
 std::string to_decimal(const Real& x, unsigned digits) { return decimal(x, digits, MPFR_RNDN); }
@@ -314,15 +317,7 @@ std::string exact_text(const Rational& q) {
     if (!d) {
         return q.str();
     }
-    const auto zeros = [](long n) { return std::string(static_cast<std::size_t>(n), '0'); };
-    const auto size = static_cast<long>(d->digits.size());
-    std::string text = d->exponent > size ? d->digits + zeros(d->exponent - size) : d->digits;
-    if (d->exponent <= 0 && size > 0) {
-        text.insert(0, "0." + zeros(-d->exponent));
-    } else if (d->exponent < size) {
-        text.insert(static_cast<std::size_t>(d->exponent), ".");
-    }
-    return size == 0 ? "0" : (d->negative ? "-" : "") + text;
+    return d->digits.empty() ? "0" : plain(*d);
 }
 
 Rounded round_ball(const Ball& x, unsigned digits, Rounding mode) {

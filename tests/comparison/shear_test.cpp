@@ -257,8 +257,8 @@ TEST_CASE("samples of a line through a mesh are not its elements") {
         double element; ///< 0: none, the curve itself
         double step;
     };
-    for (const Case& c : {Case{0.1, 0.02}, Case{0.1, 0.0171}, Case{0.25, 0.05},
-                                        Case{0.05, 0.025}, Case{0, 0.02}, Case{0, 0.0003}}) {
+    for (const Case& c : {Case{0.1, 0.02}, Case{0.1, 0.0171}, Case{0.25, 0.05}, Case{0.05, 0.025},
+                          Case{0, 0.02}, Case{0, 0.0003}}) {
         const double element = c.element;
         const double step = c.step;
         CAPTURE(element);

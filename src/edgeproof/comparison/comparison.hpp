@@ -82,8 +82,8 @@ struct FileComparison {
     std::vector<Undetermined> undetermined;
     std::size_t inside = 0;
     std::size_t outside = 0;
-    std::size_t pressing_outside = 0; ///< those with more than 1/500 of the largest pressure
-    std::optional<Diagnosis> diagnosis;       ///< if there is an error to explain
+    std::size_t pressing_outside = 0;   ///< those with more than 1/500 of the largest pressure
+    std::optional<Diagnosis> diagnosis; ///< if there is an error to explain
     std::optional<Diagnosis> shear_diagnosis; ///< of q, if p is right
     std::vector<std::string> failures;        ///< the reasons why it does not pass, a sentence each
 

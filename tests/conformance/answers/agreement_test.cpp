@@ -149,8 +149,9 @@ TEST_CASE("another convention is recognised and reported, with its accuracy") {
         {[](double, double other) { return other; }, "ours at the other edge"},
         {[](double, double other) { return 2 * other; }, "2 times ours at the other edge"}};
     for (const auto& row : cases) {
-        CHECK(only(conventions_of([&](S, double p, double other) { return row.first(p, other); })) ==
-              "p: " + row.second + " in 8");
+        CHECK(only(conventions_of([&](S, double p, double other) {
+                  return row.first(p, other);
+              })) == "p: " + row.second + " in 8");
     }
     CHECK(only(conventions_of([](S edge, double p, double) { return edge == "left" ? -p : p; })) ==
           "p, left edge: minus ours in 4");

@@ -124,8 +124,7 @@ int pressure(Options& o) {
     scene::Ask& ask = c.scene.ask;
     const bool no_shear = !c.scene.shear && !c.scene.steps.empty() &&
                           word_of(o, "quantities").find("shear") != std::string::npos;
-    if (ask.u.empty() && word_of(o, "quantities").empty() &&
-        !ask.wants(QuantityGroup::pressure)) {
+    if (ask.u.empty() && word_of(o, "quantities").empty() && !ask.wants(QuantityGroup::pressure)) {
         ask.quantities.insert({QuantityGroup::contact, QuantityGroup::peak});
     }
     // Values of the whole contact are given alone if no pressures are requested with them.

@@ -180,7 +180,8 @@ void TomlSection::Source::add(const TomlTable& table) {
             add_node(*this, *ends.as_table(), "from", entry.line, range->from);
             add_node(*this, *ends.as_table(), "to", entry.line, range->to);
             if (range->points > 0) {
-                add_node(*this, *ends.as_table(), "points", entry.line, std::int64_t{range->points});
+                add_node(*this, *ends.as_table(), "points", entry.line,
+                         std::int64_t{range->points});
             }
         } else if (!std::get<std::string>(entry.value).empty()) {
             add_node(*this, to, entry.key, entry.line, std::get<std::string>(entry.value));

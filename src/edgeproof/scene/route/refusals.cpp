@@ -85,9 +85,8 @@ void SceneValues::refuse_outside(Edge edge, const Distance& u) {
 
 void SceneValues::refuse_outside_by_edges(Edge edge, const Distance& u) {
     refuse_corner(edge, u);
-    const Form distance = u.exactly([&](std::string_view name) {
-        return Form::name(scene_.symmetric() ? "a" : name, true);
-    });
+    const Form distance = u.exactly(
+        [&](std::string_view name) { return Form::name(scene_.symmetric() ? "a" : name, true); });
     const Form a = Form::name("a", true);
     const Form length = a + (scene_.symmetric() ? a : Form::name("b", true));
     if ((distance == Form() || distance == length) && no_traction_at_edges()) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Formulas as they are printed somewhere, verified: one that is right and one whose sign is wrong.
 // The ledger could as well stand in a file: audit::read_ledger("paper.toml").
-#include "edgeproof/audit/audit.hpp"
+#include "edgeproof/audit/run.hpp"
 
 #include <iostream>
 

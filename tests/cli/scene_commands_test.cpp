@@ -83,8 +83,8 @@ TEST_CASE("without places the rows are the values of the whole contact") {
         " kind=hertz R=1 P=pi/4 contact_modulus=1 --digits 3 --no-notes --format json";
     for (const char* const command : {"pressure", "compute", "compute pressure"}) {
         std::string all;
-        for (const auto& row :
-             nlohmann::json::parse(run(folder, command + std::string(scene)).out)["rows"]) {
+        const auto json = nlohmann::json::parse(run(folder, command + std::string(scene)).out);
+        for (const auto& row : json["rows"]) {
             all += row["quantity"].get<std::string>() + " " + row["value"].get<std::string>() + ";";
         }
         CHECK(all == "a 1.00;b 1.00;P 0.785;M 0;p_max 0.500;");

@@ -20,6 +20,7 @@ Expr fraction(long n, long d) { return whole(n) / whole(d); }
 /// The factors of a product of products, quotients and negatives.
 struct Factors {
     Rational number{1}; ///< the product of the integers
+    int integers = 0;
     std::vector<Expr> over;
     std::vector<Expr> under;
 
@@ -32,6 +33,7 @@ struct Factors {
             add(e.arg(0), inverse);
         } else if (e.kind() == Kind::number && denominator(e.number()) == 1 && e.number() != 0) {
             number *= inverse ? Rational(1 / e.number()) : e.number();
+            ++integers;
         } else {
             (inverse ? under : over).push_back(e);
         }
@@ -408,6 +410,9 @@ private:
 Expr with_one_number(const Expr& formula) {
     Factors f;
     f.add(formula, false);
+    if (f.integers < 2) {
+        return formula; // as it is written
+    }
     const Rational size = abs(f.number);
     const Expr over = product_of(Rational(numerator(size)), f.over);
     const Rational below(denominator(size));

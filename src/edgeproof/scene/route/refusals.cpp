@@ -74,7 +74,10 @@ void SceneValues::refuse_outside(Edge edge, const Distance& u) {
     const Ball from = u.enclosure({}, {}, length_.bits());
     const bool exact = known_length_ && distance != nullptr;
     const bool on_edge = exact && (*distance == 0 || *distance == *known_length_);
-    if (u.number()->sign() < 0 || (on_edge && no_traction_at_edges()) ||
+    if (on_edge && no_traction_at_edges()) {
+        throw OutsideContact("is on an edge");
+    }
+    if (u.number()->sign() < 0 ||
         (exact ? *distance > *known_length_ : certainly_less(length_, from))) {
         throw OutsideContact();
     }
@@ -90,7 +93,7 @@ void SceneValues::refuse_outside_by_edges(Edge edge, const Distance& u) {
     const Form a = Form::name("a", true);
     const Form length = a + (scene_.symmetric() ? a : Form::name("b", true));
     if ((distance == Form() || distance == length) && no_traction_at_edges()) {
-        throw OutsideContact();
+        throw OutsideContact("is on an edge");
     }
     bool outside = false;
     const bool inside = raise(plan_.bits, 8 * plan_.bits, [&](const BallLevel& level) {

@@ -8,14 +8,16 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace edgeproof::scene {
 
-/// The place lies outside the contact, where p and q are 0.
+/// The place lies outside the contact or on an edge, where p and q are 0.
 class OutsideContact : public DomainError {
 public:
-    OutsideContact() : DomainError("the point lies outside the contact") {}
+    explicit OutsideContact(const char* where = "lies outside the contact")
+        : DomainError(std::string("the point ") + where) {}
 };
 
 /// The sum of the first n terms of an expansion at the distance u from its edge, by Horner's rule.

@@ -27,11 +27,6 @@ std::vector<double> places_in(double length) {
     return u;
 }
 
-double number_of(const Scene& scene, const AskedValue& asked) {
-    SceneValues values(scene, {asked}, {40});
-    return values.value(asked).value.midpoint().convert_to<double>();
-}
-
 std::vector<double> computed_at(const std::string& words, const Binary64Question& question,
                                 const std::vector<double>& places, Edge edge = Edge::right) {
     std::vector<double> values(places.size(), -1);

@@ -26,6 +26,12 @@ namespace edgeproof::scenes {
 /// Returns the scene in words, or the scene "@FILE" of the repository.
 [[nodiscard]] Scene made(const std::string& words);
 
+/// Returns a value of a scene, rounded to binary64.
+[[nodiscard]] inline double number_of(const Scene& of, const scene::AskedValue& asked) {
+    scene::SceneValues values(of, {asked}, {40});
+    return values.value(asked).value.midpoint().convert_to<double>();
+}
+
 /// A row "SCENE | CELL | CELL ..." of a table.
 struct TableRow {
     std::string at; ///< FILE:LINE

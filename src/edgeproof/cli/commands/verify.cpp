@@ -55,7 +55,7 @@ std::string toml_text(const std::string& text) {
 }
 
 /// Returns the ledger of one formula. The given values are drawn, and, of lengths, loads and moduli
-/// that have one value, two multiples of it: one contact would not tell P from 10*R.
+/// that have one value, two multiples of it: with one contact, P and 10*R would be the same.
 audit::Ledger ledger_of_formula(const Options& o) {
     static constexpr std::string_view varied = " R R1 R2 C P Es E E1 E2 ";
     require(!o["--of"].empty(), "--says has no quantity to compare the formula with",

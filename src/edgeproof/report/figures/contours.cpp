@@ -15,7 +15,7 @@ namespace edgeproof::report::svg {
 namespace {
 
 constexpr int bar_width = 14;
-constexpr int beside = 170; ///< the width of a panel without the drawing
+constexpr int not_drawing = 170; ///< the width of a panel without the drawing
 constexpr int colours = 60;
 /// The scale ends at this quantile of the sizes if the greatest is more than `most_times` as large:
 /// near a place where the stress is infinite it would take the whole scale.
@@ -42,7 +42,7 @@ template <std::size_t n> std::string mixed(const std::array<Colour, n>& stops, d
 
 class Field {
 public:
-    Field(const Plot& plot, int panel) : plot_(plot), field_(*plot.field), width_(panel - beside) {
+    Field(const Plot& plot, int panel) : plot_(plot), field_(*plot.field), width_(panel - not_drawing) {
         std::vector<double> sizes;
         for (std::size_t i = 0; i < field_.values.size(); ++i) {
             const double value = field_.values[i];

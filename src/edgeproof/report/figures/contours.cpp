@@ -42,7 +42,8 @@ template <std::size_t n> std::string mixed(const std::array<Colour, n>& stops, d
 
 class Field {
 public:
-    Field(const Plot& plot, int panel) : plot_(plot), field_(*plot.field), width_(panel - not_drawing) {
+    Field(const Plot& plot, int panel)
+        : plot_(plot), field_(*plot.field), width_(panel - not_drawing) {
         std::vector<double> sizes;
         for (std::size_t i = 0; i < field_.values.size(); ++i) {
             const double value = field_.values[i];

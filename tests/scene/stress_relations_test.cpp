@@ -174,8 +174,8 @@ void compare_with_tractions(const std::string& words, unsigned digits, const cha
     for (const RowsAt& at : result.at_places(QuantityRow::Place::body)) {
         const BodyPoint& point = s.ask.in_bodies[at.point()];
         const long side = point.body == Body::A ? 1 : -1;
-        std::array<Real, 3> expected =
-            integrals.at(point.x.to<Real>(), point.z.to<Real>(), side, digits, apart);
+        std::array<Real, 3> expected = integrals.at(
+            point.x.number()->to<Real>(), point.z.number()->to<Real>(), side, digits, apart);
         if (s.shear) {
             expected[0] += s.shear->bulk_A.to<Real>();
             expected[0] += side < 0 ? s.shear->bulk_tension.to<Real>() : Real(0);

@@ -139,7 +139,7 @@ struct Scene::Solved {
     [[nodiscard]] std::vector<Value> values(const std::vector<Query>& queries,
                                             unsigned digits) const {
         require_digits(digits, 2, most_digits_of_values);
-        const scene::Place::Names names = scene::exact_names_of(scene);
+        const scene::Place::Names names = scene::names_of(scene);
         std::vector<scene::AskedValue> asked;
         std::vector<scene::AskedValue> together; // a solved scene has one tolerance, one reference
         for (const Query& query : queries) {
@@ -210,7 +210,7 @@ struct Scene::Solved {
         changed.ask.digits = {changed.ask.digits.count, Rounding::nearest, true};
         changed.ask.surface_of = body;
         if (!x.empty()) {
-            const scene::Place::Names names = scene::exact_names_of(changed);
+            const scene::Place::Names names = scene::names_of(changed);
             changed.ask.in_bodies.clear();
             for (std::size_t i = 0; i < x.size(); ++i) {
                 changed.ask.in_bodies.push_back(scene::body_point(x[i], z.at(i), body, names));
@@ -272,7 +272,7 @@ std::string Scene::run(const Keys& asked) const {
     const scene::Scene scene = solved_->asking(asked);
     const scene::SceneResult result = run_scene(scene);
     const auto point = [](const scene::BodyPoint& p) {
-        return Json{p.body == scene::Body::A ? "A" : "B", p.x_text(), p.z_text()};
+        return Json{p.body == scene::Body::A ? "A" : "B", p.x.text(), p.z.text()};
     };
     return json_text(
         {{"rows", list_of(result.rows, [&](const scene::Row& row) { return row_of(scene, row); })},

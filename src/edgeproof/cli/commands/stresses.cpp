@@ -52,15 +52,14 @@ int greatest(Computing& c) {
     return c.write();
 }
 
-/// Returns x of a place that depends on a or b.
-std::string x_of(const Computing& c, const scene::Place& place) {
-    if (const auto number = place.number()) {
-        return decimal_text(*number, c.scene.ask.digits);
+/// Returns a length in decimals.
+std::string text_of(const Computing& c, const scene::Coordinate& x) {
+    if (x.number()) {
+        return decimal_text(*x.number(), c.scene.ask.digits);
     }
     const Ball& a = c.result.at(Quantity::a).value;
     const Ball& b = c.result.at(Quantity::b).value;
-    const Ball x = place.distance(contact::Edge::right).x_enclosure(a, b, a.bits());
-    return printed({x, true, "", {}}, c.scene.ask.digits).text;
+    return printed({x.enclosure(a, b, a.bits()), true, "", {}}, c.scene.ask.digits).text;
 }
 
 formula::Exact angle_of(const std::string& text) {
@@ -94,7 +93,7 @@ int stress(Options& o) {
             const std::vector<std::string> parts = parts_of(text);
             require(parts.size() == 2, "--point " + text + " is no point",
                     "write X,Z, such as --point 0,1/2");
-            points.push_back(scene::body_point(parts[0], parts[1], body, exact_names_of(c.scene)));
+            points.push_back(scene::body_point(parts[0], parts[1], body, names_of(c.scene)));
         }
     }
     if (points.empty()) {
@@ -123,14 +122,8 @@ int stress(Options& o) {
                    using Kind = report::Column::Kind;
                    const scene::BodyPoint& point = points[line.at.point()];
                    row.text("body", c.body, "body {}");
-                   const auto place = [&](const std::string& name, const formula::Exact& number,
-                                          const std::optional<scene::Place>& formula) {
-                       const std::string text =
-                           formula ? x_of(c, *formula) : decimal_text(number, c.scene.ask.digits);
-                       row.add(name, Kind::number, text).unit = length;
-                   };
-                   place("x", point.x, point.x_formula);
-                   place("z", point.z, point.z_formula);
+                   row.add("x", Kind::number, text_of(c, point.x)).unit = length;
+                   row.add("z", Kind::number, text_of(c, point.z)).unit = length;
                    for (const scene::QuantityRow& def : scene::quantity_rows()) {
                        if (def.group == QuantityGroup::stress &&
                            is_known(c.scene, def.quantity, body)) {
@@ -185,7 +178,7 @@ int displacement(Options& o) {
     c.add_rows(lines_of(c.result.at_places(scene::QuantityRow::Place::surface)),
                [&](Row& row, const Line& line) {
                    row.add("x", report::Column::Kind::number,
-                           x_of(c, *ask.u[line.at.point()].place))
+                           text_of(c, scene::Coordinate(*ask.u[line.at.point()].place)))
                        .unit = unit_of(c.scene, Quantity::x);
                    for (const Quantity quantity :
                         {Quantity::gap, Quantity::slip_displacement, Quantity::ux, Quantity::uz,

@@ -77,8 +77,8 @@ Questions rounded_to_binary64(const Questions& questions) {
     }
     for (Question& q : rounded.list) {
         if (q.in_body) {
-            q.in_body->x = rounded_to_binary64(q.in_body->x);
-            q.in_body->z = rounded_to_binary64(q.in_body->z);
+            q.in_body->x = rounded_to_binary64(*q.in_body->x.number());
+            q.in_body->z = rounded_to_binary64(*q.in_body->z.number());
         }
         for (std::optional<formula::Exact>* const number : {&q.u, &q.tolerance}) {
             if (*number) {

@@ -68,7 +68,7 @@ Ball AxisymmetricStress::on_axis_below(const Ball& S) const {
 // docs/axisymmetric.md, "Stresses": with A = F_1 and B = z^2 F_2.
 StressState AxisymmetricStress::on_axis(const Ball& z) const {
     const long bits = contact_.bits();
-    const bool on_surface = (z.is_exact() && contains_zero(z));
+    const bool on_surface = z.is_exact() && contains_zero(z);
     if (on_surface && apex_) {
         throw DomainError("the stress is infinite at the apex of the profile");
     }
@@ -124,7 +124,7 @@ StressState AxisymmetricStress::on_surface(const Ball& radius,
         const Ball& a = contact_.a();
         if (of_revolution_ != nullptr) {
             require(known.has_value(), "the radius of a place on the surface depends on a and b",
-                    "give it as a number, or by x to the command pressure");
+                    "give the radius as a number");
             p = of_revolution_->pressure(Edge::right, -beyond, *known);
             inner -= contact_.modulus() / pi * of_revolution_->outer_moment(*known);
         } else {

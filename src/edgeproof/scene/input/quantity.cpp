@@ -84,31 +84,17 @@ std::string symbol_of(const AskedValue& asked) {
     return indexed(row_of(asked.quantity), std::to_string(asked.k));
 }
 
-namespace {
-
-Ball enclosure(const std::optional<Place>& formula, const Exact& number, const Ball& a,
-               const Ball& b, long bits) {
-    return formula ? formula->distance(Edge::right).x_enclosure(a, b, bits)
-                   : formula::ball_of(number, bits);
-}
-/// Without the "x = " of a Place.
-std::string text(const std::optional<Place>& formula, const Exact& number) {
-    return formula ? formula->text().substr(4) : number.text();
+Coordinate::Coordinate(const Place& place)
+    : text_(place.text().substr(std::string_view("x = ").size())), number_(place.number()) {
+    if (!number_) {
+        formula_ = place;
+    }
 }
 
-} // namespace
-
-Ball BodyPoint::x_in(const Ball& a, const Ball& b, long bits) const {
-    return enclosure(x_formula, x, a, b, bits);
+Ball Coordinate::enclosure(const Ball& a, const Ball& b, long bits) const {
+    return number_ ? formula::ball_of(*number_, bits)
+                   : formula_->distance(Edge::right).x_enclosure(a, b, bits);
 }
-
-Ball BodyPoint::z_in(const Ball& a, const Ball& b, long bits) const {
-    return enclosure(z_formula, z, a, b, bits);
-}
-
-std::string BodyPoint::x_text() const { return text(x_formula, x); }
-
-std::string BodyPoint::z_text() const { return text(z_formula, z); }
 
 std::string family_of(const AskedValue& asked) { return indexed(row_of(asked.quantity), "k"); }
 
@@ -120,7 +106,7 @@ std::string text_of(const AskedValue& asked) {
                                                  : std::string(row.label);
     const std::string edge = edge_name(asked.edge) + " edge";
     if (asked.in_body) {
-        return what + " at x = " + asked.in_body->x_text() + ", z = " + asked.in_body->z_text();
+        return what + " at x = " + asked.in_body->x.text() + ", z = " + asked.in_body->z.text();
     }
     return row.at_point()  ? what + " at u = " + asked.u->text() + " from the " + edge
            : row.at_edge() ? what + " at the " + edge

@@ -92,19 +92,31 @@ enum class QuantityGroup {
 
 /// A is the body on which Q and q act; B is the other one.
 enum class Body { A, B };
-/// A point of a body: x from the origin, z >= 0 the depth into that body (lengths).
+/// A length: an exact number, or a formula in a and b, which are solved for.
+class Coordinate {
+public:
+    Coordinate() : Coordinate(Exact()) {}
+    Coordinate(Exact x) : text_(x.text()), number_(std::move(x)) {} // NOLINT: mostly numbers
+    /// @param place from the origin
+    explicit Coordinate(const Place& place);
+
+    [[nodiscard]] const std::optional<Exact>& number() const { return number_; }
+    [[nodiscard]] bool is_zero() const { return number_ && number_->sign() == 0; }
+    /// The length for a and b in these balls.
+    [[nodiscard]] Ball enclosure(const Ball& a, const Ball& b, long bits) const;
+    [[nodiscard]] const std::string& text() const { return text_; }
+    friend bool operator==(const Coordinate& s, const Coordinate& t) { return s.text_ == t.text_; }
+
+private:
+    std::string text_;
+    std::optional<Exact> number_;
+    std::optional<Place> formula_; ///< if there is no number
+};
+/// A point of a body: x from the origin, z >= 0 the depth into that body.
 struct BodyPoint {
-    Exact x;
-    Exact z;
+    Coordinate x;
+    Coordinate z;
     Body body = Body::A;
-    /// In place of x and z: formulas in a and b, which are solved for.
-    std::optional<Place> x_formula = {};
-    std::optional<Place> z_formula = {};
-    /// x and z for a and b in these balls.
-    [[nodiscard]] Ball x_in(const Ball& a, const Ball& b, long bits) const;
-    [[nodiscard]] Ball z_in(const Ball& a, const Ball& b, long bits) const;
-    [[nodiscard]] std::string x_text() const;
-    [[nodiscard]] std::string z_text() const;
     friend bool operator==(const BodyPoint&, const BodyPoint&) = default;
 };
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -219,55 +218,20 @@ Place::Names names_of(const Scene& scene) {
     return names;
 }
 
-Place::Names exact_names_of(const Scene& scene) {
-    constexpr long bits = 256; // enough to isolate the edges of most contacts
-    Place::Names names = names_of(scene);
-    if (!scene.steps.empty()) {
-        return names; // each step has its own edges
-    }
-    if (scene.load.kind == Load::Kind::right_edge) {
-        names.insert_or_assign("a", scene.load.value.expr());
-    }
-    if (scene.profile && !scene.round && scene.profile->has_closed_form()) {
-        try {
-            const contact::BallContact contact(*scene.profile, scene.contact_modulus, scene.load,
-                                               bits);
-            for (const auto& [name, edge] : {std::pair{"a", Edge::right}, {"b", Edge::left}}) {
-                if (const auto at = contact.known(edge)) {
-                    names.insert_or_assign(name, at->expr());
-                }
-            }
-        } catch (const Error&) { // the command that solves for the contact reports the reason
-        }
-    } else if (scene.symmetric() && names.contains("a")) {
-        names.insert_or_assign("b", names.at("a"));
-    }
-    return names;
-}
-
 BodyPoint body_point(const std::string& x, const std::string& z, Body body,
                      const Place::Names& names) {
-    BodyPoint point{Exact(), Exact(), body};
-    const auto read = [&](const char* key, const std::string& text, Exact& number,
-                          std::optional<Place>& formula) {
+    const auto read = [&](const char* key, const std::string& text) {
         try {
-            if (!has_names(text)) {
-                number = Exact::parse(text);
-                return;
-            }
-            const Place place = Place::parse(text, Place::From::origin, names);
-            const auto known = place.number();
-            number = known ? *known : Exact();
-            formula = known ? std::nullopt : std::optional(place);
+            return has_names(text) ? Coordinate(Place::parse(text, Place::From::origin, names))
+                                   : Coordinate(Exact::parse(text));
         } catch (const InputError& error) {
             throw InputError(std::string(key) + " = \"" + text + "\": " + error.problem(),
                              error.instead());
         }
     };
-    read("x", x, point.x, point.x_formula);
-    read("z", z, point.z, point.z_formula);
-    require(point.z.sign() >= 0, "the depth z = " + z + " is negative",
-            "give z >= 0, the depth into the body");
+    BodyPoint point{read("x", x), read("z", z), body};
+    require(!point.z.number() || point.z.number()->sign() >= 0,
+            "the depth z = " + z + " is negative", "give z >= 0, the depth into the body");
     return point;
 }
 
@@ -303,7 +267,7 @@ void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene&
     }
     if (ask.has("points")) {
         result.in_bodies.clear();
-        const Place::Names names = exact_names_of(scene);
+        const Place::Names names = names_of(profile, scene);
         for (const auto& [x, z] : ask.pairs_written("points")) {
             result.in_bodies.push_back(io::at_place(ask.file(), z.line, [&, x = x, z = z] {
                 return body_point(x.text, z.text, Body::A, names);

@@ -52,8 +52,6 @@ using EndOfRange = std::function<Exact(const io::TomlSection& range, std::string
 /// The names that places of a scene may use in addition to a and b: the parameters of its profile,
 /// a and b themselves if they are given, and b as a if the two are equal.
 [[nodiscard]] Place::Names names_of(const Scene& scene);
-/// The same with a and b also of a contact under a force, where exact algebra solves for them.
-[[nodiscard]] Place::Names exact_names_of(const Scene& scene);
 /// Returns the point of a body at x and the depth z, which are formulas in the names, a and b.
 /// Throws InputError for a number z < 0, too.
 [[nodiscard]] BodyPoint body_point(const std::string& x, const std::string& z, Body body,

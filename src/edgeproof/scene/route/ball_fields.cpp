@@ -103,22 +103,20 @@ const contact::StressState& BallLevel::stress(const AskedValue& at) {
     if (last_stress_ && last_stress_->first == point) {
         return last_stress_->second;
     }
-    const Ball x = point.x_in(a(), b(), bits_);
-    const Ball z = point.z_in(a(), b(), bits_);
-    require(!certainly_negative(z), "the depth z = " + point.z_text() + " is negative",
+    const Ball x = point.x.enclosure(a(), b(), bits_);
+    const Ball z = point.z.enclosure(a(), b(), bits_);
+    require(!certainly_negative(z), "the depth z = " + point.z.text() + " is negative",
             "give z >= 0, the depth into the body");
     if (scene_.round) {
         const contact::AxisymmetricStress field = axisymmetric_stress(point.body);
-        const bool left = point.x_formula ? certainly_negative(x) : point.x.sign() < 0;
+        const bool left = certainly_negative(x);
         const Ball r = abs(x);
-        std::optional<Exact> known;
-        if (!point.x_formula) {
-            known = left ? Exact(-point.x.expr()) : point.x;
-        }
-        contact::StressState state = known && known->sign() == 0 ? field.on_axis(z)
-                                     : !point.z_formula && point.z.sign() == 0
-                                         ? field.on_surface(r, known)
-                                         : field.inside(r, z);
+        const std::optional<Exact>& there = point.x.number();
+        contact::StressState state =
+            point.x.is_zero() ? field.on_axis(z)
+            : point.z.is_zero()
+                ? field.on_surface(r, left && there ? std::optional(Exact(-there->expr())) : there)
+                : field.inside(r, z);
         if (left) {
             state.sxz = -state.sxz;
         }
@@ -126,11 +124,10 @@ const contact::StressState& BallLevel::stress(const AskedValue& at) {
         return last_stress_->second;
     }
     const Box zeta(x, z);
-    const std::optional<Exact> known = point.x_formula ? std::nullopt : std::optional(point.x);
-    contact::CauchyIntegral p = plane().cauchy_integral(zeta, known);
-    contact::CauchyIntegral q = of_shear(p, known, zeta);
+    contact::CauchyIntegral p = plane().cauchy_integral(zeta, point.x.number());
+    contact::CauchyIntegral q = of_shear(p, point.x.number(), zeta);
     const bool tension = scene_.shear && scene_.shear->bulk_tension.sign() != 0;
-    if (known && known->sign() == 0 && scene_.symmetric() && !tension) {
+    if (point.x.is_zero() && scene_.symmetric() && !tension) {
         // P(-conj(zeta)) = -conj(P(zeta)), and the same for T: exact zeros on the axis of symmetry
         for (contact::CauchyIntegral* const f : {&p, &q}) {
             f->value = Box(Ball(0, bits_), f->value.imaginary());

@@ -78,12 +78,8 @@ BoundedValue SceneValues::value(const AskedValue& asked) {
         return by_witness(asked);
     }
     // Inside a body of revolution also a power law is integrated.
-    const auto off_zero = [](const Exact& x, const auto& formula) {
-        return formula.has_value() || x.sign() != 0;
-    };
-    const bool integrated = scene_.round && asked.in_body &&
-                            off_zero(asked.in_body->x, asked.in_body->x_formula) &&
-                            off_zero(asked.in_body->z, asked.in_body->z_formula);
+    const bool integrated =
+        scene_.round && asked.in_body && !asked.in_body->x.is_zero() && !asked.in_body->z.is_zero();
     const auto proved = [&](Ball x, std::optional<Rational> exactly) {
         return BoundedValue{std::move(x), true,
                             integrated ? "rigorous integration" : row.route_in(scene_),
@@ -185,10 +181,10 @@ bool SceneValues::exactly_zero(const AskedValue& asked) {
         return asked.reference && asked.distance() == *asked.reference;
     case Quantity::szz:
     case Quantity::sxz: { // on the free surface
-        if (asked.in_body->z_formula || asked.in_body->z.sign() != 0) {
+        if (!asked.in_body->z.is_zero()) {
             return false;
         }
-        const Ball x = asked.in_body->x_in(first_->a(), first_->b(), first_->bits());
+        const Ball x = asked.in_body->x.enclosure(first_->a(), first_->b(), first_->bits());
         return certainly_less(first_->a(), x) || certainly_less(first_->b(), -x);
     }
     default:

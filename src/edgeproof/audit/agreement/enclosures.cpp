@@ -118,7 +118,7 @@ bool is_admitted(const Claim& claim, const Sample& sample) {
 }
 
 ClaimSamples::ClaimSamples(const Claim& claim, const AuditContext& context) {
-    for (Sample& sample : context.samples(claim)) {
+    for (Sample& sample : context.different_samples(claim)) {
         // A sample on the boundary of the condition does not decide and is left out.
         if (is_admitted(claim, sample)) {
             samples_.push_back(std::move(sample));

@@ -323,7 +323,7 @@ Outcome check_condition(const Claim& claim, const AuditContext& context) {
     std::vector<RelationInScene> found;
     std::size_t left_out = 0;
     std::optional<Sample> failing; // the first, of a condition without a place
-    for (const Sample& sample : context.samples(claim)) {
+    for (const Sample& sample : context.different_samples(claim)) {
         const ConditionInScene in_scene(sample, condition, where, digits);
         RelationInScene result = !placed ? without_place(in_scene)
                                  : holds == "near-edge"

@@ -34,7 +34,17 @@ bool accept(const RefutedFormula& refuted, const Expr& edited, Outcome& outcome)
     return true;
 }
 
+std::string factor_text(const Expr& ratio) {
+    return "the printed formula is " + to_text(ratio) + " times the right one";
+}
+
 void find_correction(const RefutedFormula& refuted, Outcome& outcome) {
+    const auto says_more = [](const Expr& ratio) { // than the edit of a sign
+        return free_symbols(ratio).empty() &&
+               (ratio.rational() == nullptr || *ratio.rational() != -1);
+    };
+    const std::string factor =
+        refuted.ratio && says_more(*refuted.ratio) ? "; " + factor_text(*refuted.ratio) : "";
     std::size_t checked = 0;
     for (const Edit& edit : single_edits(refuted.printed, refuted.alphabet)) {
         if (edit.formula == refuted.exact) {
@@ -49,7 +59,7 @@ void find_correction(const RefutedFormula& refuted, Outcome& outcome) {
         if (accept(refuted, edit.formula, outcome)) {
             outcome.evidence["edit"] = {
                 {"what", edit.what}, {"printed", edit.before}, {"correct", edit.after}};
-            outcome.note = edit.what + ": " + edit.before + " should be " + edit.after;
+            outcome.note = edit.what + ": " + edit.before + " should be " + edit.after + factor;
             return;
         }
     }
@@ -64,12 +74,12 @@ void find_correction(const RefutedFormula& refuted, Outcome& outcome) {
         const Expr corrected =
             r.kind() == Expr::Kind::neg ? -(refuted.printed / r.arg(0)) : refuted.printed / r;
         if (accept(refuted, corrected, outcome)) {
-            outcome.note = "the printed formula is " + to_text(r) + " times the right one";
+            outcome.note = factor_text(r);
             return;
         }
     }
     if (refuted.derived && accept(refuted, *refuted.derived, outcome)) {
-        outcome.note = "no edit makes it right; the derived form is given";
+        outcome.note = "no edit makes it right; the derived form is given" + factor;
         outcome.evidence["derived_instead"] = true;
         return;
     }
@@ -81,12 +91,6 @@ void find_correction(const RefutedFormula& refuted, Outcome& outcome) {
 void diagnose(const RefutedFormula& refuted, Outcome& outcome) {
     const std::string why = std::exchange(outcome.note, "");
     find_correction(refuted, outcome);
-    const bool constant = refuted.ratio && free_symbols(*refuted.ratio).empty();
-    if (outcome.correct && constant &&
-        outcome.note.find(" times the right one") == std::string::npos) {
-        outcome.note +=
-            "; the printed value is " + to_text(*refuted.ratio) + " times the exact one";
-    }
     if (outcome.verdict == Verdict::underspecified) { // what the formula lacks remains the finding
         outcome.note = outcome.correct ? why + "; " + outcome.note : why;
     }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 namespace edgeproof::audit {
 
@@ -75,6 +76,15 @@ std::vector<Sample> AuditContext::samples(const Claim& claim) const {
             samples.push_back(std::move(sample));
         }
     }
+    return samples;
+}
+
+std::vector<Sample> AuditContext::different_samples(const Claim& claim) const {
+    std::vector<Sample> samples = this->samples(claim);
+    std::set<std::string> taken;
+    std::erase_if(samples, [&](const Sample& sample) {
+        return !taken.insert(sample.scene.family + ": " + sample.text()).second;
+    });
     return samples;
 }
 

@@ -44,6 +44,8 @@ public:
     /// Combines scenes, places (from the claim's `edge`; `points` in each scene) and values of
     /// `vary`.
     [[nodiscard]] std::vector<Sample> samples(const Claim& claim) const;
+    /// The same without the samples that a family of few values draws again.
+    [[nodiscard]] std::vector<Sample> different_samples(const Claim& claim) const;
 
 private:
     const Ledger& ledger_;

@@ -204,14 +204,13 @@ private:
         for (int k = 0; k < steps; ++k) {
             const double part = (k + 0.5) / steps;
             text += fmt::format(
-                "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n",
-                (left_margin + width_ + 16), number(top_margin + height * (1 - (k + 1.0) / steps)),
-                bar_width, number(height / double{steps} + 0.3),
-                colour_of(low_ + part * (high_ - low_)));
+                "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n", bar_left(),
+                number(top_margin + height * (1 - (k + 1.0) / steps)), bar_width,
+                number(height / double{steps} + 0.3), colour_of(low_ + part * (high_ - low_)));
         }
         const auto label = [&](double part, const std::string& words) {
-            text += text_at((left_margin + width_ + 16) + bar_width + 5,
-                            top_margin + height * (1 - part) + 4, "start", 11, words);
+            text += text_at(bar_left() + bar_width + 5, top_margin + height * (1 - part) + 4,
+                            "start", 11, words);
         };
         constexpr double apart = 0.06; // a label there would overlap that of an end
         for (const Scale::Tick& tick : scale().ticks()) {
@@ -226,9 +225,10 @@ private:
         if (under()) {
             label(0, fmt::format("&lt; {:.3g}", low_));
         }
-        return text + text_at((left_margin + width_ + 16) - 2, top_margin - 8, "start", 12,
-                              escape_html(field_.title));
+        return text +
+               text_at(bar_left() - 2, top_margin - 8, "start", 12, escape_html(field_.title));
     }
+    [[nodiscard]] int bar_left() const { return left_margin + width_ + 16; }
     [[nodiscard]] bool over() const {
         return std::ranges::any_of(field_.values,
                                    [&](double v) { return std::isfinite(v) && v > high_; });

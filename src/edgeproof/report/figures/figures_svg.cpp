@@ -30,7 +30,7 @@ constexpr int smallest_text = 10;
 constexpr int right_margin = 18;
 constexpr int bottom_margin = 52;
 constexpr int legend_line = 20;
-constexpr std::size_t short_name = 34; ///< letters of a name that fits in half a line
+constexpr std::size_t short_name = 27; ///< letters of a name that fits in half a line
 constexpr double mark = 4;             ///< half the size of a point
 constexpr std::string_view background = R"(<rect width="100%" height="100%" fill="#ffffff"/>)";
 
@@ -201,10 +201,6 @@ private:
     Scale x_;
     Scale y_;
 };
-
-} // namespace
-
-namespace {
 
 /// Returns the width of a panel at which the smallest text has 7 pt in print, but at most the usual
 /// one. 0 mm: the usual one.

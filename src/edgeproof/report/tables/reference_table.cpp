@@ -63,8 +63,8 @@ template <class Text> CellsByName cells_of(const conformance::Question& q, const
                       {"quantity", symbol_of(q)}};
     if (q.in_body) {
         cells["body"] = q.in_body->body == scene::Body::A ? "A" : "B";
-        cells["x"] = text(q.in_body->x);
-        cells["z"] = text(q.in_body->z);
+        cells["x"] = text(*q.in_body->x.number());
+        cells["z"] = text(*q.in_body->z.number());
     }
     return cells;
 }
@@ -162,6 +162,11 @@ CellsByName cells_of(const conformance::AskedContact& contact, const conformance
     return cells;
 }
 
+constexpr const char* notes_of_bounds[] = {
+    "|value - exact| <= bound, proved, and every digit is right, unless the route says (estimate): "
+    "then bound and digits are what the quadrature estimates of itself",
+    "binary64: the one nearest to the exact value, in 17 digits"};
+
 } // namespace
 
 Table reference_table(const conformance::Recipe& recipe, const conformance::Questions& some,
@@ -189,13 +194,9 @@ Table reference_table(const conformance::Recipe& recipe, const conformance::Ques
         {"rounding", std::string(rounding_name(recipe.digits.rounding))},
     };
     std::ranges::copy(facts_of_rows(rows), std::back_inserter(table.facts));
-    table.notes = {
-        "u: distance inwards from the edge; x: place; c_k: coefficient of u^(k + 1/2) in p; s_k: "
-        "of q, from its lowest power on",
-        "|value - exact| <= bound, proved, and every digit is right, unless the route says "
-        "(estimate): then bound and digits are what the quadrature estimates of itself",
-        "binary64: the one nearest to the exact value, in 17 digits",
-    };
+    table.notes = {"u: distance inwards from the edge; x: place; c_k: coefficient of u^(k + 1/2) "
+                   "in p; s_k: of q, from its lowest power on"};
+    table.notes.insert(table.notes.end(), std::begin(notes_of_bounds), std::end(notes_of_bounds));
     if (recipe.questions.has_body_points()) {
         table.notes.emplace_back("x, z: place and depth in the body; tension positive");
     }
@@ -219,7 +220,7 @@ Table wide_table(const conformance::Recipe& recipe,
     std::erase_if(table.facts,
                   [](const Fact& f) { return f.key == "checksum" || f.key == "rows"; });
     std::erase_if(table.notes, [](const std::string& note) {
-        return note.starts_with("binary64") || note.starts_with("|value");
+        return std::ranges::find(notes_of_bounds, note) != std::end(notes_of_bounds);
     });
     table.notes.emplace_back("every digit of the values is right");
     const auto column = [&](std::string_view name) {

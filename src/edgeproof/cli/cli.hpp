@@ -31,7 +31,7 @@ struct Options {
     [[nodiscard]] const std::string& operator[](std::string_view name) const {
         return value(name).text;
     }
-    [[nodiscard]] std::string& operator[](const std::string& name) { return values[name].text; }
+    void set(const std::string& name, std::string text) { values[name].text = std::move(text); }
     [[nodiscard]] const std::vector<std::string>& list(std::string_view name) const {
         return value(name).list;
     }

@@ -32,8 +32,7 @@ using scene::refuse_whole_tolerance;
 /// True if a command takes the words of a scene.
 [[nodiscard]] bool takes_words(const CLI::App& sub);
 
-/// True for a short answer: asked for, or on a terminal without a format. A table of a recipe, of
-/// which no columns can be chosen, is never short.
+/// True for a short answer of a command for scenes: asked for, or on a terminal without a format.
 [[nodiscard]] bool is_short(const Options& options);
 [[nodiscard]] report::TableFormat table_format(const Options& options);
 /// The value of a key among the words; empty: the file's or the command's own.

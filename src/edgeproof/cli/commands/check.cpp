@@ -83,9 +83,9 @@ std::map<std::string, std::string, std::less<>> check_options(const Options& o) 
 } // namespace
 
 int check(Options& o) {
-    o["--ledger"] = file_or_shipped(o["--ledger"], shipped_ledgers);
-    o["--recipe"] = file_or_shipped(o["--recipe"], shipped_recipes);
-    o["answers"] = file_or_shipped(o["answers"], shipped_recipes);
+    o.set("--ledger", file_or_shipped(o["--ledger"], shipped_ledgers));
+    o.set("--recipe", file_or_shipped(o["--recipe"], shipped_recipes));
+    o.set("answers", file_or_shipped(o["answers"], shipped_recipes));
     const bool json = text_or_json(o["--format"]) || o.has("--json");
     require(!json || o["--ledger"].empty(), "--json is for answers", "leave --json out");
     require(o["--only"] == "*" || o["--ledger"].empty(), "--only is for answers",

@@ -98,7 +98,7 @@ int table(Options& o) {
                          report::merged_parts(o.list("--merge")));
         return 0;
     }
-    o["recipe"] = file_or_shipped(o["recipe"], shipped_recipes);
+    o.set("recipe", file_or_shipped(o["recipe"], shipped_recipes));
     conformance::Recipe recipe = conformance::read_recipe(o["recipe"]);
     if (o.has("--questions")) {
         emit(report::question_table(o.has("--exact") ? recipe.questions

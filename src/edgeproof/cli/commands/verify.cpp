@@ -113,7 +113,7 @@ int verify(Options& o) {
     if (!formula) {
         require(o.list("ledger").size() == 1 && o["--of"].empty(), "verify takes one ledger",
                 "give its file, or a formula with --says and --of");
-        o["ledger"] = file_or_shipped(o.list("ledger").front(), shipped_ledgers);
+        o.set("ledger", file_or_shipped(o.list("ledger").front(), shipped_ledgers));
     }
     const std::size_t digits =
         whole_number("--digits", o["--digits"], 10, most_digits_of_a_formula);

@@ -70,7 +70,7 @@ TEST_CASE("third-party programs have the digits that they state, and the check c
           Program{"python3 -c 'import mpmath'", "true", "python3 thirty_digits.py", "30", "60"},
           Program{"gp --version", "true", "gp -q closed_forms.gp", "30", "60"}}) {
         const Programs programs;
-        CAPTURE(program.run);
+        CAPTURE(std::string(program.run));
         if (have(program.needs)) {
             REQUIRE(programs.shell(program.build));
             const Outcome o =

@@ -290,11 +290,14 @@ TEST_CASE("design: the series by the edge is enclosed across the middle of the c
                 const auto off = [&](const Ball& x, const Ball& y) {
                     return abs(x - y) * power_of_two(digits - 28, 128);
                 };
-                CHECK(certainly_less(off(reciprocal_edge_function(at, of), exact), Ball(1, 128)));
+                const Ball value = reciprocal_edge_function(at, of);
+                CHECK(certainly_less(off(value, exact), Ball(1, 128)));
+                CHECK((near != b || overlaps(value, exact))); // an omitted remainder would show
                 const BallSeries series = reciprocal_edge_function(
                     BallSeries::variable(at, jet_terms), BallSeries(of, jet_terms));
                 for (std::size_t k = 1; k < jet_terms && z != "1/2" && near == b; ++k) {
                     CHECK(certainly_less(off(series[k], by_arb[k]), power_of_two(40, 128)));
+                    CHECK(overlaps(series[k], by_arb[k]));
                 }
             }
             for (const Rational& h : {Rational(1, 10000), Rational(1, 100)}) {

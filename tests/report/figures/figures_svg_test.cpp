@@ -76,19 +76,53 @@ TEST_SUITE("report: pictures") {
         CHECK(test::well_formed(svg) == "");
         CHECK(svg.find(">60</text>") != std::string::npos);
         CHECK(svg.find("&gt;") == std::string::npos);
-        CHECK(svg.find("greatest of the points drawn: 60 at (5, 20)") != std::string::npos);
-        field.values[805] = 6000; // as near a place where the value is infinite
+        CHECK(svg.find("greatest drawn: 60 at (5, 20)") != std::string::npos);
+        field.values[805] = 6000;
         field.values[0] = std::numeric_limits<double>::infinity();
+        CHECK(draw_svg({plot}).find("&gt;") == std::string::npos);
+        field.is_unbounded = true; // as near a place where the value is infinite
         svg = draw_svg({plot});
         CHECK(svg.find(">&gt; 40</text>") != std::string::npos);
-        CHECK(svg.find("greatest of the points drawn: 6000 at (5, 20)") != std::string::npos);
+        CHECK(svg.find("greatest drawn: 6000 at (5, 20)") != std::string::npos);
         field.is_signed = true;
         field.values[805] = -6000;
         svg = draw_svg({plot});
         CHECK(svg.find(">&lt; -40</text>") != std::string::npos);
-        CHECK(svg.find("greatest size of the points drawn: -6000 at (5, 20)") != std::string::npos);
+        CHECK(svg.find("greatest size drawn: -6000 at (5, 20)") != std::string::npos);
         field.values.assign(1600, std::numeric_limits<double>::quiet_NaN());
         CHECK_THROWS_AS((void)draw_svg({plot}), Error);
+    }
+    TEST_CASE("contours: levels are labelled at their lines, zones are marked, at any width") {
+        Plot plot = parabola();
+        plot.field = PlaneField{{}, {}, {}, "s", false, {10, 30}, std::pair{12.0, 20.0}};
+        for (int k = 0; k < 41; ++k) {
+            plot.field->x.push_back(k);
+            plot.field->y.push_back(k);
+        }
+        for (int k = 0; k < 41 * 41; ++k) {
+            plot.field->values.push_back(k / 41); // NOLINT: the depth
+        }
+        const std::string svg = draw_svg({plot});
+        // The line of 20 is at the middle of the drawing, which is 390 pixels high.
+        CHECK(svg.find("<path d=\"M171.5 34H366.5") != std::string::npos); // 10 to 30 of 40
+        CHECK(svg.find("orange: its stick zone") != std::string::npos);
+        const std::size_t label = svg.find("paint-order");
+        REQUIRE(label != std::string::npos);
+        CHECK(svg.find("y=\"199.0\" text-anchor=\"middle\" font-size=\"10\">20<") !=
+              std::string::npos);
+        CHECK(test::well_formed(draw_svg({plot, parabola()}, 85)) == "");
+        CHECK_THROWS_AS((void)draw_svg({plot}, 60), InputError);
+    }
+    TEST_CASE("panels stand below each other where a line is too short for them") {
+        const std::string svg = draw_svg({parabola(), parabola(), parabola()}, 170);
+        CHECK(svg.find("<g transform=\"translate(344 0)\">") != std::string::npos);
+        CHECK(svg.rfind("<g transform=\"translate(0 ") > svg.find("translate(344 0)"));
+        CHECK(svg.find("width=\"170.00mm\"") != std::string::npos);
+    }
+    TEST_CASE("a curve and the points that mark it have one name") {
+        Plot plot = parabola();
+        plot.curves[1].marks = 0;
+        CHECK(draw_svg({plot}).find(">mark</text>") == std::string::npos);
     }
     TEST_CASE("percent: fractions of the data are drawn on an axis of percent") {
         Plot plot = parabola();

@@ -4,18 +4,6 @@
 namespace edgeproof::cli {
 namespace {
 
-report::Plot contours_of(const Options& o, const scene::Scene& scene) {
-    const scene::Body body = scene::body_named(o["--body"]);
-    for (const scene::QuantityRow& row : scene::quantity_rows()) {
-        if (row.group == scene::QuantityGroup::stress && row.name == o["--field"]) {
-            return io::at_place(scene.file, scene.load_line,
-                                [&] { return report::stress_picture(scene, row.quantity, body); });
-        }
-    }
-    throw InputError("--field " + o["--field"] + ": there is no such stress",
-                     "write sxx, szz, sxz, tau_max or mises");
-}
-
 report::Panels panels_named(const std::string& name) {
     using enum report::Panels;
     for (const auto& [known, panels] :
@@ -49,7 +37,11 @@ int plot(Options& o) {
     const double width = o["--width"].empty() ? 0 : width_in_mm(o["--width"]);
     const scene::Scene scene = asked_scene(o);
     std::vector<report::Plot> plots =
-        o["--field"].empty() ? picture_of(scene, panels) : std::vector{contours_of(o, scene)};
+        o["--field"].empty() ? picture_of(scene, panels)
+                             : std::vector{io::at_place(scene.file, scene.load_line, [&] {
+                                   return report::stress_picture(scene, o["--field"],
+                                                                 scene::body_named(o["--body"]));
+                               })};
     for (report::Plot& plot : plots) {
         plot.title = o.has("--no-title") ? "" : plot.title;
     }

@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <string_view>
 
 /// Contours: the cells of the grid in colours, lines of equal value, and a bar of the colours.
 namespace edgeproof::report::svg {
@@ -17,10 +19,13 @@ namespace {
 constexpr int bar_width = 14;
 constexpr int not_drawing = 170; ///< the width of a panel without the drawing
 constexpr int colours = 60;
-/// The scale ends at this quantile of the sizes if the greatest is more than `most_times` as large:
-/// near a place where the stress is infinite it would take the whole scale.
+constexpr int most_lines = 12;
+constexpr std::string_view stick_colour = "#e69f00";
+/// The scale of an unbounded field ends at this quantile of the sizes if the greatest is more than
+/// `most_times` as large, and would take the whole scale.
 constexpr double quantile = 0.995;
 constexpr double most_times = 2;
+constexpr std::array label_half{26.0, 8.0}; ///< half the size of a line's label
 
 using Colour = std::array<double, 3>;
 /// From white to dark blue for values of one sign; from blue over white to red for signed ones.
@@ -64,7 +69,7 @@ public:
                                             quantile * static_cast<double>(sizes.size() - 1));
         std::ranges::nth_element(sizes, at);
         const double most = std::max(high_, -low_);
-        limit_ = *at > 0 && most > most_times * *at ? *at : most;
+        limit_ = field_.is_unbounded && *at > 0 && most > most_times * *at ? *at : most;
         low_ = std::max(low_, -limit_);
         high_ = std::min(high_, limit_);
     }
@@ -87,18 +92,26 @@ public:
             return left_margin +
                    width_ * (at - field_.x.front()) / (field_.x.back() - field_.x.front());
         };
-        text += fmt::format("<path d=\"M{0} {1}H{2}M{0} {3}v8M{2} {3}v8\" fill=\"none\" "
-                            "stroke=\"currentColor\" stroke-width=\"3\"/>\n",
-                            number(across(field_.contact.first)), top_margin,
-                            number(across(field_.contact.second)), top_margin - 4);
+        const auto zone = [&](const std::pair<double, double>& ends, std::string_view colour) {
+            text += fmt::format("<path d=\"M{0} {1}H{2}M{0} {3}v8M{2} {3}v8\" fill=\"none\" "
+                                "stroke=\"{4}\" stroke-width=\"3\"/>\n",
+                                number(across(ends.first)), top_margin, number(across(ends.second)),
+                                top_margin - 4, colour);
+        };
+        zone(field_.contact, "currentColor");
+        if (field_.stick) {
+            zone(*field_.stick, stick_colour);
+        }
         const std::size_t columns = field_.x.size();
-        text += text_at(
-            20, top_margin + height + 62, "start", 11,
-            escape_html(fmt::format(
-                "thick: the contact; greatest{} of the points drawn: {:.4g} at ({:.4g}, {:.4g})",
-                field_.is_signed ? " size" : "", field_.values[greatest_],
-                field_.x[greatest_ % columns], field_.y[greatest_ / columns])));
-        return {text + bar(height), top_margin + height + 74};
+        const auto note = [&](int line, const std::string& words) {
+            text +=
+                text_at(20, top_margin + height + 56 + 15 * line, "start", smallest_text, words);
+        };
+        note(0, field_.stick ? "thick: the contact; orange: its stick zone" : "thick: the contact");
+        note(1, fmt::format("greatest{} drawn: {:.4g} at ({:.4g}, {:.4g})",
+                            field_.is_signed ? " size" : "", field_.values[greatest_],
+                            field_.x[greatest_ % columns], field_.y[greatest_ / columns]));
+        return {text + bar(height), top_margin + height + 82};
     }
 
 private:
@@ -152,15 +165,18 @@ private:
             false);
     }
 
-    /// The lines of the values at the ticks of the bar. Each cell between four points is cut into
-    /// two triangles, in which a line is straight.
+    /// The lines of round values, each with its value. Each cell between four
+    /// points is cut into two triangles, in which a line is straight.
     [[nodiscard]] std::string lines(int height) const {
         const double dx = width_ / static_cast<double>(field_.x.size() - 1);
         const double dy = height / static_cast<double>(field_.y.size() - 1);
         std::string path;
+        std::string labels;
         struct Corner {
             double x, y, value;
         };
+        std::vector<std::array<double, 2>> on_line; // places of the line of one level
+        std::vector<std::array<double, 2>> labelled;
         const auto cut = [&](const std::array<Corner, 3>& corners, double level) {
             std::string ends;
             for (std::size_t k = 0; k < 3; ++k) {
@@ -168,15 +184,17 @@ private:
                 const Corner& other = corners[(k + 1) % 3];
                 if ((one.value < level) != (other.value < level)) {
                     const double part = (level - one.value) / (other.value - one.value);
+                    on_line.push_back({dx * (one.x + part * (other.x - one.x)),
+                                       dy * (one.y + part * (other.y - one.y))});
                     ends += fmt::format("{}{} {}", ends.empty() ? 'M' : 'L',
-                                        number(dx * (one.x + part * (other.x - one.x))),
-                                        number(dy * (one.y + part * (other.y - one.y))));
+                                        number(on_line.back()[0]), number(on_line.back()[1]));
                 }
             }
             path += ends;
         };
-        for (const Scale::Tick& tick : scale().ticks()) {
+        for (const Scale::Tick& tick : scale().ticks(most_lines)) {
             const auto level = tick.value.convert_to<double>();
+            on_line.clear();
             for (std::size_t j = 0; j + 1 < field_.y.size(); ++j) {
                 for (std::size_t i = 0; i + 1 < field_.x.size(); ++i) {
                     const auto corner = [&](std::size_t di, std::size_t dj) {
@@ -193,9 +211,43 @@ private:
                     }
                 }
             }
+            if (const auto at = label_place(on_line, labelled, height)) {
+                labelled.push_back(*at);
+                labels += fmt::format(
+                    "<g fill=\"#000000\" stroke=\"#ffffff\" stroke-width=\"2.5\" "
+                    "stroke-linejoin=\"round\" paint-order=\"stroke\">{}</g>\n",
+                    text_at((*at)[0], (*at)[1] + 4, "middle", smallest_text, tick.label));
+            }
         }
-        return fmt::format(
-            "<path d=\"{}\" fill=\"none\" stroke=\"#000000\" stroke-width=\"0.5\"/>\n", path);
+        return fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"#000000\" "
+                           "stroke-width=\"0.5\"/>\n",
+                           path) +
+               labels;
+    }
+    /// The deepest place of a line where a label has room; nothing if there is none.
+    [[nodiscard]] std::optional<std::array<double, 2>>
+    label_place(const std::vector<std::array<double, 2>>& on_line,
+                const std::vector<std::array<double, 2>>& labelled, int height) const {
+        const auto has_room = [&](const std::array<double, 2>& at) {
+            const std::array<double, 2> size{static_cast<double>(width_),
+                                             static_cast<double>(height)};
+            return std::ranges::all_of(std::array{0, 1},
+                                       [&](std::size_t k) {
+                                           return at[k] > label_half[k] &&
+                                                  at[k] < size[k] - label_half[k];
+                                       }) &&
+                   std::ranges::none_of(labelled, [&](const std::array<double, 2>& other) {
+                       return std::fabs(at[0] - other[0]) < 2 * label_half[0] &&
+                              std::fabs(at[1] - other[1]) < 2 * label_half[1];
+                   });
+        };
+        std::optional<std::array<double, 2>> best;
+        for (const std::array<double, 2>& at : on_line) {
+            if ((!best || at[1] > (*best)[1]) && has_room(at)) {
+                best = at;
+            }
+        }
+        return best;
     }
 
     [[nodiscard]] std::string bar(int height) const {
@@ -210,7 +262,7 @@ private:
         }
         const auto label = [&](double part, const std::string& words) {
             text += text_at(bar_left() + bar_width + 5, top_margin + height * (1 - part) + 4,
-                            "start", 11, words);
+                            "start", smallest_text, words);
         };
         constexpr double apart = 0.06; // a label there would overlap that of an end
         for (const Scale::Tick& tick : scale().ticks()) {
@@ -220,13 +272,18 @@ private:
             }
         }
         if (over()) {
-            label(1, fmt::format("&gt; {:.3g}", high_));
+            label(1, "&gt; " + short_text(high_));
         }
         if (under()) {
-            label(0, fmt::format("&lt; {:.3g}", low_));
+            label(0, "&lt; " + short_text(low_));
         }
-        return text +
-               text_at(bar_left() - 2, top_margin - 8, "start", 12, escape_html(field_.title));
+        return text + text_at(width_ + not_drawing - 4, top_margin + height + 27, "end", 12,
+                              escape_html(field_.title));
+    }
+    /// Three digits, without an exponent where that is short.
+    [[nodiscard]] static std::string short_text(double value) {
+        const double unit = std::pow(10, std::floor(std::log10(std::fabs(value))) - 2);
+        return fmt::format("{:g}", std::round(value / unit) * unit);
     }
     [[nodiscard]] int bar_left() const { return left_margin + width_ + 16; }
     [[nodiscard]] bool over() const {

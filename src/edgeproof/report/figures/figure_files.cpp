@@ -96,8 +96,9 @@ std::vector<std::optional<Real>>& Plot::add_row(const Real& first) {
     return rows.back();
 }
 
-void Plot::add_curve(const std::string& column, std::string curve_title, const Pen& pen) {
-    curves.push_back({column, std::move(curve_title), pen});
+void Plot::add_curve(const std::string& column, std::string curve_title, const Pen& pen,
+                     std::optional<std::size_t> marks) {
+    curves.push_back({column, std::move(curve_title), pen, marks});
     for (auto& row : rows) {
         row.emplace_back();
     }

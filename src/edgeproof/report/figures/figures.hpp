@@ -26,6 +26,8 @@ struct Curve {
     std::string column;
     std::string title;
     Pen pen;
+    std::optional<std::size_t> marks =
+        {}; ///< the curve whose places these are; they share its name
 };
 
 struct Axis {
@@ -38,13 +40,16 @@ struct Axis {
 
 /// Values at the points of a grid, drawn as colours and contours: values[i + j x.size()] at x[i],
 /// y[j]. Values that are not finite are left out. The colours of signed values are centred at 0.
+/// All finite values are on the scale, unless the field has places where it grows without bound.
 struct PlaneField {
     std::vector<double> x;
     std::vector<double> y;
     std::vector<double> values;
-    std::string title;                 ///< of the scale, with its unit
-    bool is_signed = false;            ///< otherwise no value is negative
-    std::pair<double, double> contact; ///< its ends, drawn at the smallest y
+    std::string title;                                   ///< of the scale, with its unit
+    bool is_signed = false;                              ///< otherwise no value is negative
+    std::pair<double, double> contact;                   ///< its ends, drawn at the smallest y
+    std::optional<std::pair<double, double>> stick = {}; ///< the ends of its stick zone
+    bool is_unbounded = false;
 };
 
 /// One panel: a table of x, with a column for each curve.
@@ -66,7 +71,8 @@ struct Plot {
     /// Adds a row with a value in its first column only, and returns the row.
     std::vector<std::optional<Real>>& add_row(const Real& first);
     /// Adds a column without values, and a curve for it.
-    void add_curve(const std::string& column, std::string curve_title, const Pen& pen);
+    void add_curve(const std::string& column, std::string curve_title, const Pen& pen,
+                   std::optional<std::size_t> marks = {});
 };
 
 inline constexpr unsigned figure_digits = 20;
@@ -74,11 +80,11 @@ inline constexpr unsigned figure_digits = 20;
 /// Returns the table as CSV: notes after #, a line of names, values at `figure_digits`.
 [[nodiscard]] std::string to_csv(const Plot& plot);
 
-/// Draws the plots in one line as SVG. Positions are computed with `Real` and rounded to a tenth of
-/// a pixel, so that the picture is the same on every machine. Text and axes have the colour of the
-/// page's text. `width_mm`: the width in print (mm), at which no text is smaller than 7 pt; 0: one
-/// pixel of the screen for each of the drawing. Throws Error for a plot without data, and
-/// InputError for a width without room for that text.
+/// Draws the plots as SVG, in one line or, where a line is too short, in several. Positions are
+/// computed with `Real` and rounded to a tenth of a pixel, so that the picture is the same on every
+/// machine. Text and axes have the colour of the page's text. `width_mm`: the width in print (mm),
+/// at which no text is smaller than 7 pt; 0: one pixel of the screen for each of the drawing.
+/// Throws Error for a plot without data, and InputError for a width without room for that text.
 [[nodiscard]] std::string draw_svg(const std::vector<Plot>& plots, double width_mm = 0);
 
 /// Prepares the SVG of one plot for a page: with unique ids and without a background.

@@ -19,14 +19,13 @@ namespace {
 using svg::drawing_height;
 using svg::left_margin;
 using svg::Scale;
+using svg::smallest_text;
 using svg::text_at;
 using svg::top_margin;
 
 // Lengths in pixels.
-constexpr int usual_panel = 560;        ///< the width of a panel
-constexpr int narrowest_panel = 320;    ///< that holds its axes and the names of curves
-constexpr int narrowest_contours = 480; ///< that hold the line below them
-constexpr int smallest_text = 10;
+constexpr int usual_panel = 560;     ///< the width of a panel
+constexpr int narrowest_panel = 320; ///< that holds its axes and the names of curves
 constexpr int right_margin = 18;
 constexpr int bottom_margin = 52;
 constexpr int legend_line = 20;
@@ -103,7 +102,9 @@ private:
     }
     /// The height with the names of the curves.
     [[nodiscard]] int height() const {
-        const int names = static_cast<int>(plot_.curves.size()) + (plot_.level ? 1 : 0);
+        const auto names = static_cast<int>(std::ranges::count_if(
+                               plot_.curves, [](const Curve& c) { return !c.marks; })) +
+                           (plot_.level ? 1 : 0);
         return top_margin + drawing_height + bottom_margin +
                legend_line * ((names + legend_columns() - 1) / legend_columns()) + 8;
     }
@@ -172,23 +173,37 @@ private:
     [[nodiscard]] std::string legend() const {
         std::string text;
         const int columns = legend_columns();
+        const bool narrow = panel_ < usual_panel;
+        const int left = narrow ? 12 : left_margin;
         int place = 0;
-        const auto add = [&](const Pen& pen, const std::string& title) {
-            const double x =
-                left_margin + (place % columns) * (static_cast<double>(width()) / columns);
+        const auto sample = [&](const Pen& pen) {
+            const double x = left + (place % columns) * (static_cast<double>(width()) / columns);
             const double y =
                 top_margin + drawing_height + bottom_margin + legend_line * (place / columns);
-            ++place;
             if (pen.dash != 0) {
                 text += fmt::format("<path d=\"M{:.1f} {:.1f}h30\" {}/>\n", x, y, stroke(pen));
             }
             if (pen.point) {
                 text += point(x + 15, y, pen);
             }
-            text += text_at(x + 36, y + 4, "start", 12, escape_html(title));
+            return std::pair(x, y);
         };
-        for (const Curve& curve : plot_.curves) {
-            add(curve.pen, curve.title);
+        const auto add = [&](const Pen& pen, const std::string& title) {
+            const auto [x, y] = sample(pen);
+            text +=
+                text_at(x + 36, y + 4, "start", narrow ? smallest_text : 12, escape_html(title));
+        };
+        for (std::size_t i = 0; i < plot_.curves.size(); ++i) {
+            if (plot_.curves[i].marks) {
+                continue;
+            }
+            add(plot_.curves[i].pen, plot_.curves[i].title);
+            for (const Curve& other : plot_.curves) {
+                if (other.marks == i) {
+                    (void)sample(other.pen);
+                }
+            }
+            ++place;
         }
         if (plot_.level) {
             add({Pen::Colour::black, 3, {}, 1}, plot_.level->second);
@@ -202,56 +217,66 @@ private:
     Scale y_;
 };
 
-/// Returns the width of a panel at which the smallest text has 7 pt in print, but at most the usual
-/// one. 0 mm: the usual one.
-int panel_for(const std::vector<Plot>& plots, double width_mm) {
+/// The number of panels in a line, and their width: the smallest text has 7 pt in print, and a
+/// panel at most the usual width. 0 mm: all in one line.
+std::pair<std::size_t, int> layout(std::size_t plots, double width_mm) {
+    if (width_mm == 0) {
+        return {plots, usual_panel};
+    }
     const double pixels_of_mm = 72 / 25.4 * smallest_text / 7; // 72 pt an inch
-    const auto panels = static_cast<double>(plots.size());
-    const double pixels = width_mm * pixels_of_mm / panels;
-    const bool contours =
-        std::ranges::any_of(plots, [](const Plot& p) { return p.field.has_value(); });
-    const int least = contours ? narrowest_contours : narrowest_panel;
-    require(width_mm == 0 || pixels >= least,
-            fmt::format("a picture {:g} mm wide has no room for {} with text of 7 pt", width_mm,
-                        contours            ? "contours"
-                        : plots.size() == 1 ? "a panel"
-                                            : std::to_string(plots.size()) + " panels"),
-            fmt::format("give {:.0f} mm or more{}", std::ceil(least * panels / pixels_of_mm),
-                        plots.size() > 1 ? ", or one panel" : ""));
-    return width_mm == 0 ? usual_panel : std::min(usual_panel, static_cast<int>(pixels));
+    const auto pixels = static_cast<int>(width_mm * pixels_of_mm);
+    require(
+        pixels >= narrowest_panel,
+        fmt::format("a picture {:g} mm wide has no room for a panel with text of 7 pt", width_mm),
+        fmt::format("give {:.0f} mm or more", std::ceil(narrowest_panel / pixels_of_mm)));
+    const std::size_t in_line = std::min(plots, static_cast<std::size_t>(pixels / narrowest_panel));
+    return {in_line, std::min(usual_panel, pixels / static_cast<int>(in_line))};
+}
+
+/// The greatest size of text at which a title has room in its panel; not below the smallest one.
+int title_size(const std::string& title, int panel) {
+    constexpr double letter = 0.57; // the mean width of a letter of size 1
+    const double size = panel / (letter * static_cast<double>(title.size() + 1));
+    return static_cast<int>(std::clamp(size, double{smallest_text}, 15.0));
 }
 
 } // namespace
 
 std::string draw_svg(const std::vector<Plot>& plots, double width_mm) {
-    const int panel_width = panel_for(plots, width_mm);
+    const auto [in_line, panel_width] = layout(plots.size(), width_mm);
     const PrecisionScope scope(figure_digits + 10);
     std::string panels;
     std::string title;
     std::string description;
+    const int width = static_cast<int>(in_line) * panel_width;
     int height = 0;
     int from_left = 0;
+    int from_top = 0; // of the line of panels
     for (const Plot& plot : plots) {
+        if (from_left == width) {
+            from_left = 0;
+            from_top = height;
+        }
         const svg::Panel panel =
             plot.field ? svg::contours(plot, panel_width) : Panel(plot, panel_width).drawn();
-        panels += fmt::format("<g transform=\"translate({} 0)\">\n", from_left) +
-                  text_at(panel_width / 2.0, 20, "middle", 15, escape_html(plot.title)) +
+        panels += fmt::format("<g transform=\"translate({} {})\">\n", from_left, from_top) +
+                  text_at(panel_width / 2.0, 20, "middle", title_size(plot.title, panel_width),
+                          escape_html(plot.title)) +
                   panel.text + "</g>\n";
-        height = std::max(height, panel.height);
+        height = std::max(height, from_top + panel.height);
         from_left += panel_width;
         title += (title.empty() ? "" : "; ") + plot.title;
         description += (description.empty() ? "" : " ") + plot.description;
     }
     const auto printed = [&](int pixels) {
         return width_mm == 0 ? std::to_string(pixels)
-                             : fmt::format("{:.2f}mm", pixels * width_mm / from_left);
+                             : fmt::format("{:.2f}mm", pixels * width_mm / width);
     };
     return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{6}\" height=\"{7}\" "
                        "viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\" fill=\"currentColor\">\n"
                        "<title>{2}</title>\n<desc>{3}</desc>\n<metadata>{4}</metadata>\n{5}\n",
-                       from_left, height, escape_html(title), escape_html(description),
-                       escape_html(program_line()), background, printed(from_left),
-                       printed(height)) +
+                       width, height, escape_html(title), escape_html(description),
+                       escape_html(program_line()), background, printed(width), printed(height)) +
            panels + "</svg>\n";
 }
 

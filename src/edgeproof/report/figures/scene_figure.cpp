@@ -254,29 +254,34 @@ private:
         }
         return std::max(least, Real(-top)).str(6);
     }
-    /// Adds the curve of a sum, from its edge to the middle, and a mark at its exit.
+    /// Adds the curve of a sum, from its edge to the middle or to its exit, and a mark there.
     void add_sum(Plot& plot, const OfEdge& of, std::size_t i, const std::vector<Real>& places,
                  std::size_t number) const {
         const std::size_t n = scene_.ask.terms[i];
         const bool right = of.edge == contact::Edge::right;
         const std::string name = scene::edge_name(of.edge);
         const std::string id = name + std::to_string(n);
-        plot.add_curve(id, in_terms(n) + ", " + name + " edge", pen_of(number));
+        plot.add_curve(id, (edges_.size() > 1 ? name + ": " : "") + reach_text(of, i),
+                       pen_of(number));
         for (std::size_t k = 0; k < places.size(); ++k) {
             const Real part = right ? Real(1 - places[k]) : places[k];
-            if (part * 2 <= 1) {
-                plot.rows[k].back() = sum(of.c, n, Real((a_ + b_) * part));
+            const Real u = (a_ + b_) * part;
+            if (part * 2 <= 1 || (of.exits[i] && u <= *of.exits[i])) {
+                plot.rows[k].back() = sum(of.c, n, u);
             }
         }
         if (of.exits[i]) {
             const Real& u = *of.exits[i];
-            plot.add_curve(id + "_exit", reach_text(n, u), exit_pen(number));
+            plot.add_curve(id + "_exit", "", exit_pen(number), plot.curves.size() - 1);
             plot.add_row(right ? Real(a_ - u) : Real(u - b_)).back() = sum(of.c, n, u);
         }
     }
-    [[nodiscard]] std::string reach_text(std::size_t n, const Real& u) const {
-        return in_terms(n) + " within " + in_percent(*scene_.ask.tolerance) +
-               " up to u = " + u.str(3);
+    /// The name of a sum, and of the mark at its exit.
+    [[nodiscard]] std::string reach_text(const OfEdge& of, std::size_t i) const {
+        return in_terms(scene_.ask.terms[i]) +
+               (of.exits[i] ? ", within " + in_percent(*scene_.ask.tolerance) +
+                                  " up to u = " + of.exits[i]->str(3)
+                            : "");
     }
     [[nodiscard]] static Pen exit_pen(std::size_t i) {
         return {pen_of(i).colour, 0, exit_points[i % exit_points.size()], 2};
@@ -296,7 +301,7 @@ private:
         plot.first_column = "u";
         for (std::size_t i = 0; i < scene_.ask.terms.size(); ++i) {
             const std::size_t n = scene_.ask.terms[i];
-            plot.add_curve("e" + std::to_string(n), in_terms(n), pen_of(i));
+            plot.add_curve("e" + std::to_string(n), reach_text(of, i), pen_of(i));
         }
         const Real length = a_ + b_;
         Real least = 1;
@@ -319,8 +324,7 @@ private:
                       "tolerance " + in_percent(*scene_.ask.tolerance)};
         for (std::size_t i = 0; i < scene_.ask.terms.size(); ++i) {
             if (of.exits[i]) {
-                plot.add_curve("exit" + std::to_string(scene_.ask.terms[i]),
-                               reach_text(scene_.ask.terms[i], *of.exits[i]), exit_pen(i));
+                plot.add_curve("exit" + std::to_string(scene_.ask.terms[i]), "", exit_pen(i), i);
                 plot.add_row(*of.exits[i]).back() = scene_.ask.tolerance->to<Real>();
             }
         }

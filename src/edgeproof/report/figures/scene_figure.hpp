@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace edgeproof::report {
@@ -22,9 +23,9 @@ scene_picture(scene::Scene scene, const std::function<void(std::size_t, std::siz
               Panels panels = Panels::all);
 
 /// The contours of a stress of a body: sxx, szz, sxz, tau_max or mises, below the contact and
-/// around it, as deep as the contact is long. Throws InputError for other quantities, and as
+/// around it, as deep as the contact is long. Throws InputError for other names, and as
 /// compute_binary64 does.
-[[nodiscard]] Plot stress_picture(const scene::Scene& scene, scene::Quantity quantity,
+[[nodiscard]] Plot stress_picture(const scene::Scene& scene, std::string_view stress,
                                   scene::Body body);
 
 } // namespace edgeproof::report

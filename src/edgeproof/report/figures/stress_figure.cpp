@@ -19,10 +19,19 @@ constexpr std::size_t lines = 121;
 
 } // namespace
 
-Plot stress_picture(const scene::Scene& scene, scene::Quantity quantity, scene::Body body) {
+Plot stress_picture(const scene::Scene& scene, std::string_view stress, scene::Body body) {
     using scene::Quantity;
-    const auto end = [&](Quantity edge) {
-        const scene::AskedValue asked{edge};
+    const std::string name(stress);
+    const auto named = scene::column_named(stress);
+    const Quantity quantity = named ? named->quantity : Quantity::p;
+    const Quantity drawn[] = {Quantity::sxx, Quantity::szz, Quantity::sxz, Quantity::tau_max,
+                              Quantity::mises};
+    const bool known = std::ranges::find(drawn, quantity) != std::end(drawn);
+    require(known && (quantity != Quantity::mises || scene.poisson(body)),
+            "there are no contours of " + name + (known ? " without a Poisson's ratio" : ""),
+            "write sxx, szz, sxz, tau_max, or, with nu in [load], mises");
+    const auto end = [&](Quantity of) {
+        const scene::AskedValue asked{of};
         return scene::SceneValues(scene, {asked}, scene.ask.digits)
             .value(asked)
             .value.midpoint()
@@ -44,25 +53,18 @@ Plot stress_picture(const scene::Scene& scene, scene::Quantity quantity, scene::
         x.insert(x.end(), field.x.begin(), field.x.end());
         z.insert(z.end(), field.x.size(), depth);
     }
-    const Quantity drawn[] = {Quantity::sxx, Quantity::szz, Quantity::sxz, Quantity::tau_max,
-                              Quantity::mises};
-    if (std::ranges::find(drawn, quantity) == std::end(drawn) ||
-        (quantity == Quantity::mises && !scene.poisson(body))) {
-        throw InputError("there are no contours of " + std::string(row_of(quantity).name) +
-                             (quantity == Quantity::mises ? " without a Poisson's ratio" : ""),
-                         "write sxx, szz, sxz, tau_max, or, with nu in [load], mises");
-    }
     scene::PictureStresses found = picture_stresses(scene, quantity, body, x, z);
     field.values = std::move(found.values);
     if (std::ranges::none_of(field.values, [](double v) { return std::isfinite(v); })) {
-        throw InputError(std::string(row_of(quantity).name) +
-                             " is not finite at any point of the grid",
-                         "draw another stress");
+        throw InputError(name + " is not finite at any point of the grid", "draw another stress");
     }
     field.is_signed = quantity != Quantity::mises && quantity != Quantity::tau_max;
     field.contact = {-b, a};
+    if (scene.slips()) {
+        field.stick = {-end(Quantity::stick_b), end(Quantity::stick_a)};
+    }
+    field.is_unbounded = scene.shear && !scene.slips() && !scene.together(); // K_II
     const scene::Units units = scene.units.value_or(scene::Units{});
-    const std::string name(row_of(quantity).name);
     const std::string body_name = body == scene::Body::A ? "A" : "B";
     field.title = name + unit_label(units.pressure);
     Plot plot{};

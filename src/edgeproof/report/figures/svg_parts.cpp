@@ -13,7 +13,6 @@
 namespace edgeproof::report::svg {
 namespace {
 
-constexpr int most_ticks = 6;
 constexpr int most_decades = 7; ///< more are labelled by every second, third, ... power
 
 } // namespace
@@ -47,7 +46,7 @@ Scale::Scale(const Axis& axis, const std::vector<Real>& values, bool to_ticks)
         high_ = low_ + 1;
     }
     if (to_ticks) {
-        const Real unit = logarithmic_ ? Real(1) : step();
+        const Real unit = logarithmic_ ? Real(1) : step(usual_ticks);
         low_ = ends[0] ? low_ : Real(floor(low_ / unit) * unit);
         high_ = ends[1] ? high_ : Real(ceil(high_ / unit) * unit);
     }
@@ -60,14 +59,14 @@ Real Scale::part(const Real& value) const {
 Real Scale::on_scale(const Real& value) const { return logarithmic_ ? Real(log10(value)) : value; }
 
 /// Returns 1, 2 or 5 times a power of ten.
-Real Scale::step() const {
-    const Real raw = (high_ - low_) / most_ticks;
+Real Scale::step(int most) const {
+    const Real raw = (high_ - low_) / most;
     const Real power = pow(Real(10), floor(log10(raw)));
     const Real lead = raw / power;
     return Real(power * (lead <= 1 ? 1 : lead <= 2 ? 2 : lead <= 5 ? 5 : 10));
 }
 
-std::vector<Scale::Tick> Scale::ticks() const {
+std::vector<Scale::Tick> Scale::ticks(int most) const {
     std::vector<Tick> all;
     if (logarithmic_) {
         const Real first = ceil(low_ - Real(1e-9));
@@ -91,7 +90,7 @@ std::vector<Scale::Tick> Scale::ticks() const {
         }
         return all;
     }
-    const Real unit = step();
+    const Real unit = step(most);
     for (Real k = ceil(low_ / unit - Real(1e-9)); k * unit <= high_ + unit * Real(1e-9); k += 1) {
         const Real value = k == 0 ? Real(0) : Real(k * unit); // not -0
         all.push_back({part(value), value, fmt::format("{:g}", value.convert_to<double>())});

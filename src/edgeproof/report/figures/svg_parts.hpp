@@ -13,6 +13,9 @@ inline constexpr int left_margin = 74;
 inline constexpr int top_margin = 34;
 inline constexpr int drawing_height = 320;
 
+inline constexpr int smallest_text = 10;
+inline constexpr int usual_ticks = 6;
+
 /// A text in SVG. `anchor` is start, middle or end.
 [[nodiscard]] std::string text_at(double x, double y, std::string_view anchor, int size,
                                   const std::string& escaped);
@@ -35,11 +38,12 @@ public:
         Real value;
         std::string label; ///< as SVG
     };
-    [[nodiscard]] std::vector<Tick> ticks() const;
+    /// About `most` ticks, or fewer.
+    [[nodiscard]] std::vector<Tick> ticks(int most = usual_ticks) const;
 
 private:
     [[nodiscard]] Real on_scale(const Real& value) const;
-    [[nodiscard]] Real step() const;
+    [[nodiscard]] Real step(int most) const;
 
     bool logarithmic_;
     Real low_;

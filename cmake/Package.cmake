@@ -64,8 +64,8 @@ checks of other programs as Python objects.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 math(EXPR after "${Python3_VERSION_MINOR} + 1")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-    "python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${after})")
-set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-numpy, edgeproof")
+    "python3 (>= 3.${Python3_VERSION_MINOR}~), python3 (<< 3.${after}), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "edgeproof")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib, python3-mpmath")
 
 # Files that Debian requires in every package; `cmake --install` does not install them.

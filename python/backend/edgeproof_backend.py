@@ -50,6 +50,7 @@ def _metadata() -> str:
              f"Summary: {project['description']}", f"License: {project['license']['text']}",
              f"Requires-Python: {project['requires-python']}",
              "Description-Content-Type: text/markdown"]
+    lines += [f"Requires-Dist: {package}" for package in project["dependencies"]]
     for extra, packages in project["optional-dependencies"].items():
         lines.append(f"Provides-Extra: {extra}")
         lines += [f'Requires-Dist: {package}; extra == "{extra}"' for package in packages]

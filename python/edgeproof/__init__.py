@@ -55,6 +55,7 @@ from .results import (
     Contact,
     Displacement,
     Extent,
+    Greatest,
     Point,
     Result,
     Rows,
@@ -62,15 +63,16 @@ from .results import (
     SlipTerms,
     StickZone,
     Stress,
+    StressTerm,
 )
 from .scene import Scene, read_scene
 
 __all__ = [
     "Agreement", "Approximation", "Audit", "BudgetError", "Case", "Cause", "Claim", "Coefficients",
     "Comparison", "Contact", "Convention", "Design", "Displacement", "DomainError", "Error",
-    "Extent", "Held", "InputError", "MeshErrors", "MeshResult", "Number", "Point",
+    "Extent", "Greatest", "Held", "InputError", "MeshErrors", "MeshResult", "Number", "Point",
     "Profile", "Relation", "Relations", "Result", "Rows", "Scene", "Slip", "SlipTerms", "StickZone",
-    "Stress", "UndecidedError", "Value", "__version__", "check", "compare", "cone", "design",
+    "Stress", "StressTerm", "UndecidedError", "Value", "__version__", "check", "compare", "cone", "design",
     "flat_and_rounded", "hertz", "piecewise", "power_law", "questions", "read_scene", "relations",
     "sphere", "tilted_flat_and_rounded", "tilted_wedge", "verify", "wedge",
 ]

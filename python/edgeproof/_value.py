@@ -28,7 +28,7 @@ def _one_number(value: Value) -> decimal.Decimal:
     return decimal.Decimal(value.text)
 
 
-def _shortened(text: str) -> str:
+def shortened(text: str) -> str:
     """Returns the text with its first digits only, followed by "...", if it is long."""
     mantissa, e, power = text.partition("e")
     if len(text) <= _MOST_CHARACTERS or text[0] == "[" or not 0 <= mantissa.find(".") <= \
@@ -98,14 +98,14 @@ class _Completed:
         return self.text
 
     def __repr__(self: Value) -> str:  # type: ignore[misc]
-        text = _shortened(self.text)
+        text = shortened(self.text)
         digits = "" if text == self.text else f" ({self.digits} digits)"
         return f"<edgeproof.Value {text}{digits}, {_accuracy(self)}>"
 
     def _repr_html_(self: Value) -> str:  # type: ignore[misc]
         """Returns the value for a notebook: the text, and the whole of it where it is shortened."""
         whole, text, accuracy = map(imported("html").escape, (
-            self.text, _shortened(self.text), _accuracy(self)))
+            self.text, shortened(self.text), _accuracy(self)))
         return f'<span title="{whole}"><code>{text}</code> ({accuracy})</span>'
 
     def __format__(self: Value, spec: str) -> str:  # type: ignore[misc]

@@ -12,10 +12,11 @@ from typing import Any, NamedTuple, TypeVar
 from ._arguments import checked
 from ._columns import columns
 from ._edgeproof import Value, value_of_state
+from ._value import shortened
 from .errors import InputError
 
-__all__ = ["Approximation", "Contact", "Coefficients", "Displacement", "Extent", "Point", "Result",
-           "Rows", "Slip", "SlipTerms", "StickZone", "Stress"]
+__all__ = ["Approximation", "Contact", "Coefficients", "Displacement", "Extent", "Greatest",
+           "Point", "Result", "Rows", "Slip", "SlipTerms", "StickZone", "Stress", "StressTerm"]
 
 
 def plain(value: Any) -> Any:
@@ -31,7 +32,22 @@ def plain(value: Any) -> Any:
     return value
 
 
+def _shown(value: Any) -> str:
+    if isinstance(value, Value):
+        return shortened(value.text) + ("" if value.bound == "0" else f" +- {value.bound}")
+    if isinstance(value, tuple):
+        return "[" + "; ".join(map(_shown, value)) + "]"
+    if isinstance(value, Mapping):
+        return ", ".join(f"{key} = {_shown(item)}" for key, item in value.items()
+                         if item is not None and item != ())
+    return str(value)
+
+
 class _Plain:
+    def __str__(self) -> str:
+        """The fields with their values and bounds in one line; what is not there is left out."""
+        return _shown(vars(self))
+
     def to_dict(self) -> dict[str, Any]:
         """The same as a dict of str, int, bool, list, dict and None, to any depth."""
         result = plain(self)
@@ -46,6 +62,9 @@ class Rows(tuple[_Kind, ...]):
     """Results of one kind, a tuple. columns() makes a data frame of them."""
 
     __slots__ = ()
+
+    def __str__(self) -> str:
+        return "\n".join(map(str, self))
 
     def columns(self) -> dict[str, Any]:
         """The rows as a dict of numpy arrays of the same length: pandas.DataFrame(rows.columns()).
@@ -141,6 +160,31 @@ class Stress(_Plain):
     s2: Value | None
     s3: Value | None
     tresca: Value | None
+
+
+@dataclasses.dataclass(frozen=True)
+class Greatest(_Plain):
+    """The greatest value of a stress in a body, at the place x and the depth z; all are proved.
+
+    notes  sentences about the place
+    """
+
+    stress: str
+    value: Value
+    x: Value
+    z: Value
+    notes: tuple[str, ...]
+
+
+@dataclasses.dataclass(frozen=True)
+class StressTerm(_Plain):
+    """The coefficients of r^(halves/2) in the stresses at the distance r from an edge."""
+
+    edge: str
+    halves: int
+    sxx: Value
+    szz: Value
+    sxz: Value
 
 
 @dataclasses.dataclass(frozen=True)

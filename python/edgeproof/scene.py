@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, cast, overload
 
 from . import _apart, _edgeproof
 from ._arguments import checked, read_as
-from ._edgeproof import Value
+from ._edgeproof import Value, value_of_state
 from ._lazy import imported
 from ._numbers import is_many, texts
 from ._shipped import file_or_shipped
@@ -24,11 +24,13 @@ from .results import (
     Contact,
     Displacement,
     Extent,
+    Greatest,
     Point,
     Result,
     Rows,
     Slip,
     Stress,
+    StressTerm,
     result_of,
 )
 
@@ -41,6 +43,9 @@ __all__ = ["Scene", "read_scene"]
 
 Places = Any
 """A Number, or a list or array of them."""
+
+Axes = Any
+"""matplotlib.axes.Axes, or a list of them."""
 
 _MOST_DIGITS = 100_000
 _LOAD = ("a", "P", "M", "delta", "contact_modulus", "E1", "nu1", "E2", "nu2", "nu")
@@ -85,7 +90,21 @@ def _binary64(places: Any, name: str) -> Any:
     return array.astype(np.float64, copy=False)
 
 
+def _axes(value: Any, name: str) -> list[Any]:
+    every = list(value) if is_many(value) else [value]
+    if not every or not all(hasattr(one, "axhline") for one in every):
+        raise TypeError(f"{name} is {type(value).__name__}: give matplotlib's Axes")
+    return every
+
+
 read_as("numpy.typing.ArrayLike", _binary64)
+read_as("Axes", _axes)
+
+
+def _is_B(body: str) -> bool:
+    if body not in ("A", "B"):
+        raise InputError(f"there is no body '{body}'", "write A (on which Q acts) or B")
+    return body == "B"
 
 
 def _shown(value: Any) -> str:
@@ -129,6 +148,7 @@ class Scene:
     E, nu            in their place: those of two equal bodies
     nu               with contact_modulus: Poisson's ratio of both bodies, for stresses of von Mises
     Q, bulk_tension  shear force per unit length, and differential bulk tension
+    q_ratio          Q/(friction P), in place of Q
     bulk_A           the bulk stress of body A; B has bulk_A + bulk_tension
     friction         the coefficient of friction: zones at the edges slip; None: full stick
     path             "normal-first" (P, then Q at constant P) or "together" (P and Q in proportion)
@@ -137,6 +157,8 @@ class Scene:
                      end that change, such as [{"P": 600}, {"Q": 200}, {"Q": -200}], and "cycles" in
                      the first step of those that are repeated. Values are those after the last step;
                      steps[:2] gives those after the second (docs/histories.md)
+
+    units            names for axes and tables, such as {"length": "mm", "pressure": "MPa"}
 
     Numbers are exact (see edgeproof.profiles.Number). Any consistent system of units may be used:
     pressures are in the unit of the contact modulus, and forces per unit length in that unit times
@@ -163,8 +185,9 @@ class Scene:
                  nu: Number | None = None, Q: Number | None = None,
                  bulk_tension: Number | None = None, bulk_A: Number | None = None,
                  friction: Number | None = None, path: str | None = None,
-                 delta: Number | None = None,
-                 steps: Iterable[Mapping[str, Number]] = (), title: str = "") -> None:
+                 delta: Number | None = None, q_ratio: Number | None = None,
+                 steps: Iterable[Mapping[str, Number]] = (),
+                 units: Mapping[str, str] | None = None, title: str = "") -> None:
         if not isinstance(profile, Profile):
             raise TypeError(f"profile is {type(profile).__name__}, not a Profile: give "
                             "edgeproof.hertz(R=...), edgeproof.power_law(m=..., C=...), ...")
@@ -175,13 +198,13 @@ class Scene:
             E1, nu1, E2, nu2, nu = E, nu, E, nu, None
         given = dict(zip(_LOAD, (a, P, M, delta, contact_modulus, E1, nu1, E2, nu2, nu)))
         load: list[Any] = [(k, v) for k, v in given.items() if v is not None]
-        tractions = {"Q": Q, "bulk_tension": bulk_tension, "bulk_A": bulk_A, "friction": friction,
-                     "path": path}
+        tractions = {"Q": Q, "q_ratio": q_ratio, "bulk_tension": bulk_tension, "bulk_A": bulk_A,
+                     "friction": friction, "path": path}
         shear: list[Any] = [(k, v) for k, v in tractions.items() if v is not None]
         history: list[Any] = [list(step.items()) for step in steps]
         self._set(_edgeproof.NativeScene.from_keys(
             [("profile", profile._entries()), ("load", load), ("shear", shear),
-             *(("[[step]]", step) for step in history)], title))
+             ("units", list((units or {}).items())), *(("[[step]]", step) for step in history)], title))
 
     def _set(self, native: _edgeproof.NativeScene) -> None:
         self._native = native
@@ -466,6 +489,29 @@ class Scene:
         return found if many else found[0]
 
     @checked
+    def greatest(self, stress: str = "mises", body: str = "A",
+                 digits: int | None = None) -> Greatest:
+        """The greatest "mises" or "tau_max" in a body, or "sxx" on its surface, and its place.
+
+        Raises InputError for a stress that is infinite or has no greatest value.
+        """
+        found = json.loads(self._native.greatest(stress, _is_B(body), digits or self.digits))
+        return Greatest(stress, *(value_of_state(found[name]) for name in ("value", "x", "z")),
+                        tuple(found["notes"]))
+
+    @checked
+    def stress_coefficients(self, angle: Number, terms: int = 3, edge: str = "right",
+                            body: str = "A", digits: int | None = None) -> Rows[StressTerm]:
+        """The series of the stresses near an edge: Rows of StressTerm, of plane contacts.
+
+        angle  degrees, between the ray into the body and the surface of the contact: 0 to 180
+        """
+        asked: Any = [("edges", [edge]), ("terms", [str(terms)]),
+                      ("digits", str(digits or self.digits))]
+        return Rows(StressTerm(of, halves, *map(value_of_state, states)) for of, halves, states in
+                    json.loads(self._native.stress_terms(asked, cast(str, angle), _is_B(body))))
+
+    @checked
     def displacement(self, x: Places = None, digits: int | None = None, *, u: Places = None,
                      edge: str = "right", reference: Number | None = None, body: str = "A") -> Any:
         """The gap between the surfaces at x outside the contact, or the slip inside.
@@ -531,10 +577,9 @@ class Scene:
         pressure P/(a + b), or 2^-52 of the value where it is large. Power laws, curved slopes and
         points on a knot take much longer than other points. Raises InputError as stress() does.
         """
-        if body not in ("A", "B"):
-            raise InputError(f"there is no body '{body}'", "write A (on which Q acts) or B")
         across, depths = imported("numpy").broadcast_arrays(x, z)
-        return self._native.stresses(body == "B", across, depths, self._facts["mises"][body == "B"])
+        return self._native.stresses(_is_B(body), across, depths,
+                                     self._facts["mises"][_is_B(body)])
 
     @checked
     def local_pressures(self, u: numpy.typing.ArrayLike | None = None, terms: int = 1,
@@ -627,15 +672,21 @@ class Scene:
 
     @checked
     def plot(self, terms: int | Sequence[int] = (1, 2), edge: str = "right",
-             file: str | os.PathLike[str] | None = None) -> matplotlib.figure.Figure:
+             file: str | os.PathLike[str] | None = None, *, tolerance: Number | None = None,
+             field: str | None = None, body: str = "A", ax: Axes | None = None) -> matplotlib.figure.Figure:
         """Plots the pressure with the sums of the first terms; their relative errors on log axes.
 
-        The curves are those of `edgeproof plot`. Returns a matplotlib Figure, and writes it to
+        tolerance  relative, at which the sums are marked; by default the scene's, or 1 %
+        field      draws the contours of a stress of a body in their place: "sxx", "szz", "sxz",
+                   "tau_max" or "mises"
+        ax         matplotlib Axes for the first panel, or a list of Axes for several
+
+        The pictures are those of `edgeproof plot`. Returns a matplotlib Figure, and writes it to
         `file` if one is given (.png, .pdf, .svg). Raises ImportError if matplotlib is missing.
         """
         from ._plot import plot
 
-        figure = plot(self, terms, edge)
+        figure = plot(self, terms, edge, tolerance, field or "", body, ax)
         if file is not None:
             figure.savefig(file)
         return figure

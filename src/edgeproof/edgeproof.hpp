@@ -144,8 +144,19 @@ public:
     /// "places", "s_half_powers", "in_proportion", "proved"}.
     [[nodiscard]] std::string run(const Keys& asked) const;
     /// The panels of `edgeproof plot` as JSON: [{"title", "x": [label, logarithmic, range], "y",
-    /// "curves": [[title, colour, dash, point, width, [x], [y]]], "level"}].
-    [[nodiscard]] std::string pictures(const Keys& asked) const;
+    /// "curves": [[title, colour, dash, point, width, [x], [y], index of the curve that it marks]],
+    /// "level"}]; of a stress `field` one panel that has "field": {"x", "z", "values", "title",
+    /// "signed", "contact", "stick", "unbounded"} in their place.
+    [[nodiscard]] std::string pictures(const Keys& asked, const std::string& field = "",
+                                       bool body_B = false) const;
+    /// The greatest mises or tau_max in a body, or sxx on its surface, as JSON: {"value", "x", "z":
+    /// states of values, "notes"}.
+    [[nodiscard]] std::string greatest(const std::string& quantity, bool body_B,
+                                       unsigned digits) const;
+    /// The coefficients of sxx, szz and sxz along a ray at an angle (degrees) to the contact, with
+    /// the edges and terms of `asked`, as JSON: [[edge, halves (of r^(halves/2)), three states]].
+    [[nodiscard]] std::string stress_terms(const Keys& asked, const std::string& angle,
+                                           bool body_B) const;
 
     struct Solved;
     [[nodiscard]] const Solved& solved() const { return *solved_; }

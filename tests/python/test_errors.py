@@ -80,7 +80,10 @@ CALLS = [
                         digits=5)),
     (SCENE.slip, dict(edge="right", terms=1, tolerance="1%", digits=5)),
     (SCENE.run, dict(digits=5)),
-    (SCENE.plot, dict(terms=1, edge="right")),
+    (SCENE.greatest, dict(stress="tau_max", body="A", digits=5)),
+    (SCENE.stress_coefficients, dict(angle=90, terms=1, edge="right", body="A", digits=5)),
+    (SCENE.plot, dict(terms=1, edge="right", tolerance="1%")),
+    (SCENE.plot, dict(field="sxx", body="A", ax=[])),
     (SCENE.run(5).columns, dict(of="points")),
     (SCENE.a.rounded, dict(digits=5)),
 ]

@@ -24,21 +24,21 @@ def test_curves_are_the_values(matplotlib, tmp_path):
 
     x, p = curve(whole, "p, exact")
     assert np.allclose(p, np.sqrt(np.maximum(1 - x**2, 0)) / 2, rtol=1e-12, atol=1e-9)
-    x, one = curve(whole, "1 term, left edge")  # sqrt(2 u)/2, up to the middle
+    x, one = curve(whole, "1 term, within 1 % up to u = 0.0394")  # sqrt(2 u)/2, up to the middle
     assert np.allclose(one, np.sqrt(2 * (1 + x)) / 2, rtol=1e-9, atol=1e-7)
     assert x.min() == -1 and -0.05 < x.max() <= 0
     # The error of the first term is 1/sqrt(1 - u/2) - 1: in percent, down to 2.5e-5.
-    u, error = curve(near, "1 term")
+    u, error = curve(near, "1 term, within 1 % up to u = 0.0394")
     assert np.allclose(error, 100 * np.expm1(-0.5 * np.log1p(-u / 2)), rtol=1e-9)
     assert min(u) < 1e-5 and max(u) < 2
     assert near.get_xlim() == pytest.approx((2e-6, 2))  # the contact is 2 wide
     # It is 1 % at u = 2 - 2/1.0201.
-    u, error = curve(near, "leaves it at u = 0.0394")
+    u, error = near.lines[2].get_data()
     assert u[0] == pytest.approx(2 - 2 / 1.0201, rel=1e-12) and error[0] == 1
     assert "left edge" in near.get_title() and "[%]" in near.get_ylabel()
     names = [t.get_text() for t in whole.get_legend().get_texts()]
-    assert names == ["p, exact", "1 term, left edge", "leaves 1 %", "2 terms, left edge",
-                     "leaves 1 %"]
+    assert names == ["p, exact", "1 term, within 1 % up to u = 0.0394",
+                     "2 terms, within 1 % up to u = 0.492"]
 
 
 def test_axes_have_the_units_of_the_scene(matplotlib, source):
@@ -59,6 +59,19 @@ def test_the_curve_is_smooth_at_a_narrow_peak(matplotlib):
     # A pixel is 1/300 of the height. With 122 places even in the angle it would be 2.4 %.
     assert abs(exact - (p[:-1] + p[1:]) / 2).max() < p.max() / 300
     assert len(x) < 1500
+
+
+def test_axes_of_ones_own_tolerance_and_contours(matplotlib):
+    from matplotlib.figure import Figure
+
+    scene = edgeproof.Scene(edgeproof.hertz(R=1), a=1, contact_modulus=1, nu="0.3")
+    axes = Figure().subplots()
+    assert scene.plot(terms=1, tolerance="5%", ax=axes) is axes.figure
+    assert curve(axes, "1 term, within 5 % up to u = 0.186") is not None
+    stress, bar = scene.plot(field="mises").axes
+    assert stress.get_ylim() == pytest.approx((2, 0), abs=0.01) and "mises" in bar.get_ylabel()
+    drawn = float(stress.get_title().split("drawn: ")[1].split()[0])
+    assert drawn == pytest.approx(float(scene.greatest("mises").value), rel=2e-3)
 
 
 def test_every_profile_has_a_plot(matplotlib, source):

@@ -92,6 +92,8 @@ template <class T> Json or_null(const std::optional<T>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
+scene::Body body_of(bool body_B) { return body_B ? scene::Body::B : scene::Body::A; }
+
 /// Returns a place x as a number if it is one, else as it was written.
 std::string place_text(const scene::AskedPoint& point) {
     const auto number = point.place ? point.place->number() : std::nullopt;
@@ -285,15 +287,28 @@ std::string Scene::run(const Keys& asked) const {
           })}});
 }
 
-std::string Scene::pictures(const Keys& asked) const {
+std::string Scene::pictures(const Keys& asked, const std::string& field, bool body_B) const {
     const auto number = [](const Real& x) { return x.convert_to<double>(); };
     const auto axis = [](const report::Axis& of) {
         return Json{of.label, of.logarithmic,
                     of.range ? Json{of.range->first, of.range->second} : Json(nullptr)};
     };
+    const scene::Scene scene = solved_->asking(asked);
     Json panels = Json::array();
     for (const report::Plot& plot :
-         report::scene_picture(solved_->asking(asked), [](std::size_t, std::size_t) {})) {
+         field.empty() ? report::scene_picture(scene, [](std::size_t, std::size_t) {})
+                       : std::vector{report::stress_picture(scene, field, body_of(body_B))}) {
+        Json panel{{"title", plot.title}, {"x", axis(plot.x)}, {"y", axis(plot.y)}};
+        if (const auto& f = plot.field) {
+            panel["field"] = {{"x", f->x},
+                              {"z", f->y},
+                              {"values", f->values},
+                              {"title", f->title},
+                              {"signed", f->is_signed},
+                              {"contact", f->contact},
+                              {"stick", or_null(f->stick)},
+                              {"unbounded", f->is_unbounded}};
+        }
         Json curves = Json::array();
         for (std::size_t i = 0; i < plot.curves.size(); ++i) {
             Json x = Json::array();
@@ -304,18 +319,42 @@ std::string Scene::pictures(const Keys& asked) const {
                     y.push_back((plot.y.percent ? 100 : 1) * number(*value));
                 }
             }
-            const report::Pen& pen = plot.curves[i].pen;
-            curves.push_back({plot.curves[i].title, static_cast<int>(pen.colour), pen.dash,
-                              or_null(pen.point), pen.width, x, y});
+            const auto& [column, title, pen, marks] = plot.curves[i];
+            curves.push_back({title, static_cast<int>(pen.colour), pen.dash, or_null(pen.point),
+                              pen.width, x, y, or_null(marks)});
         }
-        panels.push_back(
-            {{"title", plot.title},
-             {"x", axis(plot.x)},
-             {"y", axis(plot.y)},
-             {"curves", curves},
-             {"level", plot.level ? Json{plot.level->first, plot.level->second} : Json(nullptr)}});
+        panel["curves"] = curves;
+        panel["level"] = plot.level ? Json{plot.level->first, plot.level->second} : Json(nullptr);
+        panels.push_back(panel);
     }
     return json_text(panels);
+}
+
+std::string Scene::greatest(const std::string& quantity, bool body_B, unsigned digits) const {
+    require_digits(digits, 2, most_digits_of_values);
+    scene::Scene scene = solved_->scene;
+    scene.ask.digits = {digits, Rounding::nearest, true};
+    const auto named = scene::column_named(quantity);
+    const scene::GreatestValue found =
+        scene::greatest_value(scene, named ? named->quantity : scene::Quantity::p, body_of(body_B));
+    const auto state = [&](const scene::BoundedValue& v) { return value_of(v, digits).state(); };
+    return json_text({{"value", state(found.value)},
+                      {"x", state(found.x)},
+                      {"z", state(found.z)},
+                      {"notes", found.notes}});
+}
+
+std::string Scene::stress_terms(const Keys& asked, const std::string& angle, bool body_B) const {
+    const scene::Scene scene = solved_->asking(asked);
+    const auto term = [&](const scene::RayTerm& t) {
+        return Json{scene::edge_name(t.edge), t.halves,
+                    list_of(t.values, [&](const scene::BoundedValue& v) {
+                        return value_of(v, scene.ask.digits.count).state();
+                    })};
+    };
+    return json_text(list_of(
+        scene::ray_terms(scene, body_of(body_B), scene::parse_angle(angle), scene.ask.most_terms()),
+        term));
 }
 
 void Scene::binary64(const std::string& quantity, long n, const std::string& edge, bool by_x,
@@ -349,7 +388,7 @@ void Scene::stresses(std::span<const double> x, std::span<const double> z, const
             throw Error("the places and the values differ in number");
         }
     }
-    compute_binary64(solved_->scene, body_B ? scene::Body::B : scene::Body::A, x, z,
+    compute_binary64(solved_->scene, body_of(body_B), x, z,
                      {{at.sxx, at.szz, at.sxz, at.tau_max, at.mises}, at.bound});
 }
 

@@ -87,7 +87,9 @@ void bind_scene(py::module_& module) {
         .def_property_readonly("text", &Scene::text)
         .def("facts", &Scene::facts)
         .def("run", apart(&Scene::run), "asked"_a)
-        .def("pictures", apart(&Scene::pictures), "asked"_a)
+        .def("pictures", apart(&Scene::pictures), "asked"_a, "field"_a, "body_B"_a)
+        .def("greatest", apart(&Scene::greatest), "quantity"_a, "body_B"_a, "digits"_a)
+        .def("stress_terms", apart(&Scene::stress_terms), "asked"_a, "angle"_a, "body_B"_a)
         .def("binary64", &binary64, "quantity"_a, "terms"_a, "edge"_a, "by_x"_a, "places"_a)
         .def("stresses", &stresses, "body_B"_a, "x"_a, "z"_a, "mises"_a);
     refuse_new(native);

@@ -53,15 +53,17 @@ struct GreatestValue {
 };
 
 /// Returns the greatest mises or tau_max for z >= 0, or the greatest sxx at z = 0, to
-/// the digits of the scene. For mises the scene must have a Poisson's ratio. Throws
-/// InputError for a quantity that has no greatest value, BudgetError where the search does not
-/// decide.
+/// the digits of the scene. Throws InputError for a quantity that has no greatest value and for
+/// mises without a Poisson's ratio, BudgetError where the search does not decide.
 [[nodiscard]] GreatestValue greatest_value(const Scene& scene, Quantity quantity, Body body);
 
 /// The stresses near the edges of a plane contact along a ray into a body (docs/stress.md, "Near an
 /// edge"): sxx, szz and sxz, in this order. Angles are in degrees, between the ray and the surface
 /// of the contact.
 inline constexpr std::array ray_stresses{Quantity::sxx, Quantity::szz, Quantity::sxz};
+
+/// Reads an angle. Throws InputError for one that does not lie in 0 to 180.
+[[nodiscard]] Exact parse_angle(const std::string& text);
 
 /// The coefficients of r^(halves/2) (stress/length^(halves/2)) at the distance r from an edge.
 struct RayTerm {

@@ -47,10 +47,6 @@ bool rises_outwards(const LoadHistory& history) {
 
 /// Refuses stresses that are infinite, or that have no greatest value.
 void check(const Scene& scene, Quantity quantity) {
-    if (quantity != Quantity::mises && quantity != Quantity::tau_max && quantity != Quantity::sxx) {
-        refuse(scene, "this stress has no search for its greatest value",
-               "ask for mises, tau_max (for z >= 0) or sxx (on the surface)");
-    }
     const bool sheared =
         scene.history
             ? std::ranges::any_of(
@@ -279,6 +275,13 @@ GreatestValue greatest_on_axis(const Scene& asked, Quantity quantity, Body body)
 } // namespace
 
 GreatestValue greatest_value(const Scene& scene, Quantity quantity, Body body) {
+    if (quantity != Quantity::mises && quantity != Quantity::tau_max && quantity != Quantity::sxx) {
+        refuse(scene, std::string(row_of(quantity).name) + " is not searched for",
+               "ask for mises, tau_max (for z >= 0) or sxx (on the surface)");
+    }
+    if (quantity == Quantity::mises && !scene.poisson(body)) {
+        refuse(scene, "mises needs Poisson's ratio", "add nu = \"0.3\" to [load]");
+    }
     if (scene.round) {
         return greatest_on_axis(scene, quantity, body);
     }
@@ -287,6 +290,14 @@ GreatestValue greatest_value(const Scene& scene, Quantity quantity, Body body) {
     return quantity == Quantity::sxx && (!scene.history || rises_outwards(*scene.history))
                ? greatest_tension(scene, fields)
                : greatest_inside(scene, fields, quantity, body);
+}
+
+Exact parse_angle(const std::string& text) {
+    Exact angle = Exact::parse(text);
+    require(angle.sign() >= 0 && Exact(angle.expr() - Exact::of(Rational(180)).expr()).sign() <= 0,
+            text + " does not lie in the body",
+            "write degrees from 0 (along the contact) to 180 (along the free surface)");
+    return angle;
 }
 
 std::vector<RayTerm> ray_terms(const Scene& scene, Body body, const Exact& angle,

@@ -13,13 +13,10 @@ bool is_known(const scene::Scene& scene, Quantity quantity, scene::Body body) {
 }
 
 Quantity greatest_of(const std::string& name) {
-    for (const Quantity quantity : {Quantity::mises, Quantity::tau_max, Quantity::sxx}) {
-        if (name == row_of(quantity).name) {
-            return quantity;
-        }
-    }
-    throw InputError("--greatest " + name + " is not searched for",
-                     "write mises, tau_max (for z >= 0) or sxx (on the surface)");
+    const auto named = scene::column_named(name);
+    require(named.has_value(), "--greatest " + name + " is not searched for",
+            "write mises, tau_max (for z >= 0) or sxx (on the surface)");
+    return named->quantity;
 }
 
 int greatest(Computing& c) {
@@ -27,10 +24,6 @@ int greatest(Computing& c) {
     const scene::Body body = scene::body_named(c.body);
     require(c.o.list("--point").empty(), "--greatest and --point exclude each other",
             "leave out one of them");
-    if (!is_known(c.scene, quantity, body)) {
-        c.reject(c.o["--greatest"] + " needs Poisson's ratio", "add nu = \"0.3\" to [load]",
-                 c.scene.load_line);
-    }
     c.scene.ask.in_bodies.clear();
     c.run(QuantityGroup::stress);
     const scene::GreatestValue found = io::at_place(
@@ -63,17 +56,11 @@ std::string text_of(const Computing& c, const scene::Coordinate& x) {
 }
 
 formula::Exact angle_of(const std::string& text) {
-    formula::Exact angle;
     try {
-        angle = formula::Exact::parse(text);
+        return scene::parse_angle(text);
     } catch (const InputError& error) {
         throw InputError("--angle " + text + ": " + error.problem(), error.instead());
     }
-    require(angle.sign() >= 0 &&
-                formula::Exact(angle.expr() - formula::Exact::of(Rational(180)).expr()).sign() <= 0,
-            "--angle " + text + " does not lie in the body",
-            "write degrees from 0 (along the contact) to 180 (along the free surface)");
-    return angle;
 }
 
 } // namespace

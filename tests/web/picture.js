@@ -9,7 +9,7 @@ const [file, output] = process.argv.slice(2);
 const main = async () => {
     const browser = new Browser();
     const page = await browser.open(`${pathToFileURL(path.resolve(file)).href}#ask=plot+expand&digits=16`,
-                                    {width: 1000, height: 640});
+                                    {width: 1280, height: 720});
     await page.until("document.getElementById('status').textContent.startsWith('Computed')");
     await page.screenshot(output, false);
     await browser.close();

@@ -11,7 +11,8 @@ const root = path.resolve(__dirname, '..', '..');
 
 /// The names that scripts of the page define.
 const pageNames = (files, names) => {
-    const text = files.map((file) => fs.readFileSync(path.join(root, 'web', 'page', file), 'utf8')).join('\n');
+    const schema = fs.readFileSync(path.join(root, 'share/edgeproof/schemas/scene.schema.json'), 'utf8');
+    const text = `const SCHEMA = ${schema};\n` + files.map((file) => fs.readFileSync(path.join(root, 'web', 'page', file), 'utf8')).join('\n');
     return vm.runInThisContext(`(() => {${text}\nreturn {${names.join(', ')}};})()`);
 };
 

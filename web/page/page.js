@@ -14,10 +14,8 @@ const askedBoxes = () => [...document.querySelectorAll('#asked input')];
 
 const showFields = () => {
     const state = readForm();
-    const labels = new Map(FORM.profiles[state.kind].fields.map(([name, label]) => [name, label]));
     for (const field of document.querySelectorAll('[data-profile]')) {
-        field.hidden = !labels.has(field.dataset.profile);
-        field.querySelector('label').textContent = labels.get(field.dataset.profile) ?? '';
+        field.hidden = !FORM.profiles[state.kind].includes(field.dataset.profile);
     }
     byId('symmetric-field').hidden = state.kind !== 'piecewise';
     for (const key of ['load', 'material', 'shear']) {
@@ -91,6 +89,7 @@ const setBusy = (busy) => {
 
 const compute = async () => {
     const state = readForm();
+    const width = byId('results').clientWidth;
     const mine = ++running;
     history.replaceState(null, '', `#${toFragment(state)}`);
     clearErrors();
@@ -104,7 +103,7 @@ const compute = async () => {
     let failed = false;
     for (const quantity of asked) {
         byId('status').textContent = `Computing: ${FORM.quantities[quantity]}.`;
-        const ran = await computer.run(argumentsOf(quantity), text, ['figure.svg']);
+        const ran = await computer.run(argumentsOf(quantity, 'scene.toml', width < 620 ? width : 0), text, ['figure.svg']);
         if (mine !== running) {
             return;
         }
@@ -139,78 +138,23 @@ const show = (quantity, ran) => {
     } else {
         results.csv += `${results.csv === '' ? '' : '\n'}# ${title}\n${ran.out}`;
         byId('tables').append(tableElement(title, readTable(ran.out)));
+        fitTables();
     }
-};
-
-// Refuted formulas: for each profile the slider, the lines of the scene, and the values of names.
-const sliders = {
-    'tilted-wedge': {
-        label: 'gamma', range: {min: 0.05, max: 0.95, step: 0.05, value: 0.5},
-        scene: (gamma) => ['phi = "pi/16"', `alpha = "1/8*asin((1 - ${gamma})/(1 + ${gamma}))"`,
-                           '[load]', 'a = "1"'],
-        values: (gamma) => ({gam: gamma, a: 1, b: gamma, phi: Math.PI / 16, calP: Math.PI / 16, x: 0.5}),
-    },
-    'flat-and-rounded': {
-        label: 'a', range: {min: 1.25, max: 4, step: 0.25, value: 2},
-        scene: (a) => ['t = "1"', 'R = "10"', '[load]', `a = "${a}"`],
-        values: (a) => ({a, t: 1, R: 10, x: a - 0.5}),
-    },
-};
-let asking = 0;
-const chosenClaim = () => data.claims.find(({id}) => id === byId('claim').value);
-const showSlider = () => {
-    const {label, range} = sliders[chosenClaim().over];
-    document.querySelector('label[for=slider]').textContent = label;
-    for (const [name, value] of Object.entries(range)) {
-        byId('slider')[name] = value;
-    }
-};
-const compareClaim = async () => {
-    const claim = chosenClaim();
-    const slider = sliders[claim.over];
-    const at = byId('slider').value;
-    byId('slider-value').value = at;
-    const mine = ++asking;
-    const [, edge, coefficient] = /^(left|right)\.(c\d)$/.exec(claim.of) ?? [];
-    byId('claim-formula').textContent = coefficient === undefined ? `p at a - x = 1/2: ${claim.says}`
-        : `${coefficient.replace('c', 'c_')} (${edge} edge) = ${claim.says}`;
-    const scene = ['[profile]', `kind = "${claim.over}"`, ...slider.scene(at), 'contact_modulus = "1"', '[ask]',
-                   `edges = ["${edge ?? 'right'}"]`, 'digits = 12',
-                   coefficient === undefined ? 'u = ["1/2"]' : `terms = [${Number(coefficient.slice(1)) + 1}]`, ''];
-    const ran = await computer.run([coefficient === undefined ? 'pressure' : 'expand', 'scene.toml', '--format', 'csv'],
-                                   scene.join('\n'));
-    if (mine !== asking || ran === undefined) {
-        return;
-    }
-    const {columns, rows} = readTable(ran.out);
-    const row = coefficient === undefined ? rows[0]
-        : rows.find((cells) => cells[1] === coefficient.replace('c', 'c_'));
-    const exact = row?.[columns.indexOf(coefficient === undefined ? 'p' : 'value')];
-    const bound = row?.[columns.indexOf(coefficient === undefined ? 'p_bound' : 'bound')];
-    const printed = printedValue(claim.says, {Pi: Math.PI, Es: 1, ...slider.values(Number(at))});
-    byId('claim-exact').textContent = exact === undefined ? ran.err : `${exact} +- ${bound}`;
-    byId('claim-printed').textContent = printed.toPrecision(6);
-    byId('claim-ratio').textContent = (printed / Number(exact)).toPrecision(4);
 };
 
 const begin = () => {
-    choices(byId('kind'), Object.fromEntries(Object.entries(FORM.profiles).map(([k, p]) => [k, p.label])));
+    choices(byId('kind'), Object.fromEntries(Object.keys(FORM.profiles).map((kind) => [kind, labelOf(kind)])));
     choices(byId('load'), FORM.loads);
     choices(byId('material'), FORM.materials);
-    const seen = new Set();
-    for (const profile of Object.values(FORM.profiles)) {
-        for (const [name, label] of profile.fields.filter(([name]) => !seen.has(name))) {
-            seen.add(name);
-            byId('profile-fields').append(
-                element('div', {class: 'field', 'data-profile': name}, element('label', {for: name}, label),
-                        element(name === 'slopes' ? 'textarea' : 'input', {id: name})));
-        }
+    for (const name of new Set(Object.values(FORM.profiles).flat())) {
+        byId('profile-fields').append(
+            element('div', {class: 'field', 'data-profile': name}, element('label', {for: name}, labelOf(name)),
+                    element(name === 'slopes' ? 'textarea' : 'input', {id: name})));
     }
     byId('asked').append(...Object.entries(FORM.quantities).map(([value, label]) =>
         element('label', {}, element('input', {type: 'checkbox', value}), label)));
     byId('gallery').append(...data.gallery.map(({title, state}) =>
         element('li', {}, element('a', {href: `#${toFragment({...defaultState(), ...state})}`}, title))));
-    choices(byId('claim'), Object.fromEntries(data.claims.map(({id}) => [id, id])));
 
     byId('form').addEventListener('submit', (event) => {
         event.preventDefault();
@@ -229,21 +173,13 @@ const begin = () => {
         await navigator.clipboard.writeText(location.href);
         byId('status').textContent = 'The link is copied.';
     });
-    showSlider();
-    byId('claim').addEventListener('change', () => {
-        showSlider();
-        compareClaim();
-    });
-    byId('slider').addEventListener('input', compareClaim);
+    addEventListener('resize', fitTables);
     addEventListener('hashchange', () => {
         writeForm(fromFragment(location.hash));
         compute();
     });
     writeForm(fromFragment(location.hash));
-    computer.compiled.then(() => {
-        byId('status').textContent = 'Ready.';
-        return location.hash.length > 1 ? compute() : undefined;
-    }).then(compareClaim, () => {
+    computer.compiled.then(compute, () => {
         byId('status').textContent = 'This browser cannot run the page: it needs WebAssembly with exceptions (2022 or later).';
     });
 };

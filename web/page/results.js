@@ -12,7 +12,7 @@ const element = (name, attributes = {}, ...children) => {
 
 const tableElement = (title, {columns, rows, notes}) => {
     const head = element('tr', {}, ...columns.map((name) => element('th', {scope: 'col'}, name)));
-    const body = rows.map((row) => element('tr', {}, ...row.map((cell) => element('td', {}, cell))));
+    const body = rows.map((row) => element('tr', {}, ...row.map((cell, i) => element('td', {'data-name': columns[i]}, cell))));
     const table = element('table', {}, element('caption', {}, title), element('thead', {}, head),
                           element('tbody', {}, ...body));
     const list = element('ul', {class: 'notes'},
@@ -20,6 +20,14 @@ const tableElement = (title, {columns, rows, notes}) => {
                              .map((note) => element('li', {}, note)));
     return element('div', {}, element('div', {class: 'scroll', tabindex: '0', role: 'region', 'aria-label': title},
                                       table), list);
+};
+
+/// Tables that are wider than their place show each row as a list of names and values.
+const fitTables = () => {
+    for (const table of document.querySelectorAll('#tables table')) {
+        table.classList.remove('stacked');
+        table.classList.toggle('stacked', table.scrollWidth > table.parentElement.clientWidth);
+    }
 };
 
 /// The picture that the program drew. It is parsed as XML, and only elements of a picture are taken.

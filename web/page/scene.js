@@ -2,31 +2,40 @@
 // The state of the form, as the text of a scene file and as the fragment of a link. No document is
 // used here: the tests run this file in Node, too.
 
+/// The kinds of profile and their keys, of the schema of a scene.
+const profilesOf = ({properties: {kind}, allOf}) => Object.fromEntries(kind.enum.map((name) => {
+    const rule = allOf.find(({if: {properties: {kind: of}}}) => of.const === name || of.enum?.includes(name));
+    return [name, Object.keys(rule.then.properties).filter((key) => !['kind', 'geometry', 'symmetric'].includes(key))];
+}));
+
 const FORM = {
-    // Fields of a profile: name (the key of the scene), label.
-    profiles: {
-        'hertz': {label: "Cylinder or sphere (Hertz)", fields: [['R', 'relative radius R', '100']]},
-        'power-law': {label: "Power law: g'(x) = C x^m", fields: [['m', 'exponent m', '1'], ['C', 'coefficient C', '1/100']]},
-        'flat-and-rounded': {label: 'Flat and rounded punch', fields: [['t', 'half of the flat t', '1'], ['R', 'radius of the edges R', '50']]},
-        'tilted-wedge': {label: 'Wedge (tilted)', fields: [['phi', 'angle of the faces phi', 'pi/16'], ['alpha', 'tilt alpha', '0']]},
-        'tilted-flat-and-rounded': {label: 'Flat and rounded punch, tilted', fields: [['alpha', 'tilt alpha', '1/1000'], ['t', 'half of the flat t', '1'], ['R', 'radius of the edges R', '50']]},
-        'cylinder-on-flat': {label: 'Cylinder or sphere on a flat', fields: [['R', 'radius R', '100']]},
-        'piecewise': {label: "Your own g'(x), piece by piece", fields: [['slopes', "g'(x) of each piece, one in a line", 'x/10\nx/10 + (x - 1/2)^3'], ['knots', 'knots between the pieces', '1/2']]},
+    profiles: profilesOf(SCHEMA.properties.profile),
+    // What the form says for a kind or a key of a profile; others have their own name.
+    labels: {
+        hertz: 'Cylinders (Hertz)', 'power-law': "Power law: g'(x) = C x^m",
+        'flat-and-rounded': 'Flat and rounded punch', 'tilted-wedge': 'Wedge, tilted',
+        'tilted-flat-and-rounded': 'Flat and rounded, tilted',
+        'cylinder-on-flat': 'Cylinder on a flat', piecewise: "Your own g'(x), in pieces",
+        sphere: 'Sphere', wedge: 'Wedge', cone: 'Cone', R: 'radius R', R1: 'radius of body 1, R1',
+        R2: 'radius of body 2, R2', m: 'exponent m', C: 'coefficient C', t: 'half of the flat t',
+        flat_width: 'or width of the flat', phi: 'angle of the faces phi', alpha: 'tilt alpha',
+        slopes: "g'(x) of each piece, one in a line", knots: 'knots between the pieces',
     },
     loads: {
-        a: 'half width (radius) a', P: 'force P', delta: 'approach delta (axisymmetric)',
+        a: 'half width (radius) a', P: 'force P', delta: 'approach delta',
         PM: 'force P and moment M',
     },
     materials: {Es: 'composite modulus E*', E: 'E and nu of both bodies'},
     // What can be asked: the label and the subcommand.
     quantities: {
-        pressure: 'Pressure at places', expand: 'First terms of the expansion',
+        plot: 'Picture', pressure: 'Pressure at places', expand: 'First terms of the expansion',
         extent: 'How far the first terms are good', slip: 'Slip zones', stress: 'Stresses at points',
         mises: 'Greatest von Mises stress', tau_max: 'Greatest shear stress',
-        displacement: 'Gap and slip on the surface', plot: 'Picture',
+        displacement: 'Gap and slip on the surface',
     },
     defaults: {
-        kind: 'flat-and-rounded', geometry: 'plane', symmetric: '1', load: 'P', a: '1', P: '100', M: '0', delta: '1/100',
+        kind: 'flat-and-rounded', R: '50', m: '1', C: '1/100', t: '1', phi: 'pi/16', alpha: '1/1000',
+        slopes: 'x/10\nx/10 + (x - 1/2)^3', knots: '1/2', geometry: 'plane', symmetric: '1', load: 'P', a: '1', P: '100', M: '0', delta: '1/100',
         material: 'E', Es: '64e3', E1: '115e3', nu1: '0.32', E2: '115e3', nu2: '0.32',
         units: 'mm', shear: 'none', Q: '20', bulk_tension: '0', friction: '0.6', bulk_A: '0',
         steps: 'P = 100\nQ = 20\nQ = -10, cycles = 2\nQ = 15',
@@ -35,15 +44,10 @@ const FORM = {
     },
 };
 
-const defaultState = () => {
-    const state = {...FORM.defaults};
-    for (const profile of Object.values(FORM.profiles)) {
-        for (const [name, , value] of profile.fields) {
-            state[name] ??= value;
-        }
-    }
-    return state;
-};
+const labelOf = (name) => FORM.labels[name] ?? name;
+const defaultState = () => ({
+    ...Object.fromEntries(Object.values(FORM.profiles).flat().map((key) => [key, ''])), ...FORM.defaults,
+});
 
 /// A string of TOML. JSON's escapes are TOML's; DEL must be escaped as well.
 const tomlString = (text) => JSON.stringify(text).replace(/\x7f/g, '\\u007F');
@@ -100,9 +104,7 @@ const sceneOf = (state) => {
         add(`knots = ${tomlList(listOf(state.knots))}`, 'knots');
         add(`slopes = ${tomlList(listOf(state.slopes, ';\n'))}`, 'slopes');
     } else {
-        for (const [name] of FORM.profiles[state.kind]?.fields ?? []) {
-            value(name);
-        }
+        FORM.profiles[state.kind].filter((name) => state[name].trim() !== '').forEach(value);
     }
     add('[load]', 'load');
     if (state.shear === 'steps') {
@@ -159,14 +161,15 @@ const askedOf = (state) => {
     return Object.keys(FORM.quantities).filter((name) => asked.includes(name));
 };
 
-/// The arguments of the program for a quantity.
-const argumentsOf = (quantity, scene = 'scene.toml') => {
+/// The arguments of the program for a quantity. A picture has its panels in one line, or is as wide
+/// as asked for (pixels).
+const argumentsOf = (quantity, scene = 'scene.toml', width = 0) => {
     switch (quantity) {
     case 'mises':
     case 'tau_max':
         return ['stress', scene, '--greatest', quantity, '--format', 'csv'];
     case 'plot':
-        return ['plot', scene, '--out', 'figure.svg'];
+        return ['plot', scene, '--out', 'figure.svg', ...width === 0 ? [] : ['--width', `${Math.max(80, Math.floor(width / 4.05))}mm`]];
     default:
         return [quantity, scene, '--format', 'csv'];
     }

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Computes the values of reference/hard-cases.toml with mpmath, without Edgeproof.
+"""Computes the values of reference/hard-cases.toml with mpmath, without Edgeproof: a table as tests/scene/values.txt.
 
-    tests/oracles/hard_cases.py > tests/oracles/hard-cases.csv
+    tests/oracles/hard_cases.py > tests/oracles/hard-cases.txt
     tests/oracles/hard_cases.py --only 'edge-*'
+
+--check only compares the questions of the table with those of reference/hard-cases.toml.
 
 Plane contacts -b < x < a of a slope g'. With t = sqrt((a - s)/(s + b)) and w = sqrt((a - s)(s + b)),
     integral of ds/((s - x) w) = log((t - t_x)/(t + t_x))/w(x),    integral of ds/w = -2 atan(t),
@@ -15,17 +17,21 @@ revolution: axisymmetric.py.
 import argparse
 import ast
 import fnmatch
+import importlib.util
 import pathlib
 import re
 import sys
 import tomllib
 
+if importlib.util.find_spec("mpmath") is None:
+    print("skipped: Python has no package mpmath (python3-mpmath)")
+    sys.exit(77)
 import axisymmetric
 import mpmath
 from mpmath import mp, mpf, mpc, pi, sqrt, log, atan
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-DIGITS = 60
+DIGITS = 50
 
 
 def exact(text, **names):
@@ -270,13 +276,13 @@ def extent(contact, n, tolerance):
         inside, outside = (grid[i - 1], u) if errors[i] >= tolerance else (None, None)
         if i > 1 and inside is None and errors[i - 2] < errors[i - 1] >= errors[i] and errors[i - 1] > tolerance / 2:
             lo, hi = grid[i - 2], u
-            for _ in range(int(DIGITS * 2.3 * 2.5)):  # by thirds to half of the working digits
+            for _ in range(int(60 * 2.3 * 2.5)):  # by thirds to half of the working digits
                 third = (hi - lo) / 3
                 lo, hi = (lo + third, hi) if error(lo + third) < error(hi - third) else (lo, hi - third)
             if error((lo + hi) / 2) >= tolerance:
                 inside, outside = grid[i - 2], (lo + hi) / 2
         if outside is not None:
-            while outside - inside > outside * mpf(10) ** -(DIGITS + 12):
+            while outside - inside > outside * mpf(10) ** -72:
                 middle = (inside + outside) / 2
                 inside, outside = (middle, outside) if error(middle) < tolerance else (inside, middle)
             return outside
@@ -358,6 +364,38 @@ def value(case):
     return extent(contact, n, exact(case["tolerance"]))
 
 
+SYMBOLS = {"pressure": "p", "coefficient": "c_{n}", "extent": "extent_{n}", "load": "P", "left-edge": "b", "approach": "delta",
+           "shear": "q", "shear-coefficient": "s_{n}", "residual": "local_{n}", "tilt-difference": "p"}
+
+
+def scene_words(case, upright=False):
+    """The contact in the words of tests/scene/scene_words.hpp."""
+    words = ["axisymmetric"] if "geometry" in case["profile"] else []
+    for key, value in (case["profile"] | case["load"] | case.get("shear", {}) | ({"alpha": "0"} if upright else {})).items():
+        word = ";".join(value) if isinstance(value, list) else str(value)
+        name = {"contact_modulus": "E"}.get(key, key)
+        if key != "geometry":
+            words.append({"kind": word, "symmetric": key}.get(key, f"{name}={word}").replace(" ", ""))
+    return " ".join(words)
+
+
+def row(case, number):
+    """A row of the table. Differences are asked for with the digits that cancel, as relations: p by the upright contact, the
+    first terms by p."""
+    quantity = case["quantity"]
+    words = [SYMBOLS.get(quantity, quantity).format(n=case.get("n"))]
+    words += [f"at={case['x']},{case['z']}".replace(" ", "")] if "x" in case else []
+    words += [case["edge"]] if "edge" in case else []
+    words += [f"{key}={case[name]}".replace(" ", "") for key, name in (("u", "u"), ("tol", "tolerance")) if name in case]
+    text, digits, bound = mpmath.nstr(number, DIGITS, min_fixed=0, max_fixed=0, strip_zeros=False), DIGITS, ""
+    if quantity in ("residual", "tilt-difference"):
+        digits += 10 - int(mpmath.log10(abs(number)))
+        last = mpmath.nstr(abs(number) * mpf(10) ** (1 - DIGITS), 1)
+        text, bound = (f"{{p}}*(1-({text}))", f" +-{{p}}*{last}") if quantity == "residual" else (
+            f"{{{scene_words(case, upright=True)} : p}}+({text})", f" +-{last}")
+    return f"{scene_words(case)} | {' '.join(words)} digits={digits} ~ {text}{bound}"
+
+
 # The working digits: more than cancel, as the values at twice as many do not change.
 WORKING = {"residual": 700, "extent": 160, "coefficient": 400, "sxx": 400, "szz": 400, "sxz": 400}
 
@@ -366,19 +404,21 @@ def main():
     parser = argparse.ArgumentParser(description="values of the hard cases by mpmath")
     parser.add_argument("--only", default="*", help="names of cases, as a shell pattern")
     parser.add_argument("--more", type=int, default=0, help="additional working digits")
+    parser.add_argument("--check", action="store_true", help="compare the questions of the table only")
     arguments = parser.parse_args()
     with open(ROOT / "reference/hard-cases.toml", "rb") as file:
         cases = tomllib.load(file)["cases"]
-    print(f"# tool: mpmath {mpmath.__version__}, tests/oracles/hard_cases.py\n"
-          "# command: tests/oracles/hard_cases.py > tests/oracles/hard-cases.csv\n"
-          f"# columns: case of reference/hard-cases.toml; its value, {DIGITS} digits rounded to nearest\ncase,value")
+    if arguments.check:
+        table = (ROOT / "tests/oracles/hard-cases.txt").read_text().splitlines()[1:]
+        asked = [line.partition(" digits=")[0] for line in table]
+        return 0 if asked == [row(case, mpf(1)).partition(" digits=")[0] for case in cases.values()] else 1
+    print(f"# mpmath {mpmath.__version__}, tests/oracles/hard_cases.py > hard-cases.txt; see tests/scene/values.txt")
     for name, case in cases.items():
-        if not fnmatch.fnmatch(name, arguments.only):
-            continue
-        round_body = case["profile"].get("geometry") == "axisymmetric"
-        usual = 130 if round_body else 450 if "1e-300" in case.get("u", "") else 260
-        mp.dps = WORKING.get(case["quantity"], usual) + arguments.more
-        print(f"{name},{mpmath.nstr(value(case), DIGITS, min_fixed=0, max_fixed=0, strip_zeros=False)}", flush=True)
+        if fnmatch.fnmatch(name, arguments.only):
+            round_body = case["profile"].get("geometry") == "axisymmetric"
+            usual = 130 if round_body else 450 if "1e-300" in case.get("u", "") else 260
+            mp.dps = WORKING.get(case["quantity"], usual) + arguments.more
+            print(row(case, value(case)), flush=True)
     return 0
 
 

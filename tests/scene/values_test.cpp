@@ -83,7 +83,10 @@ std::string filled(std::string text, const std::string& scene, const Question& h
             value_of(colon == std::string::npos ? scene : inner.substr(0, colon), q, digits);
         CHECK(value.proved);
         text.replace(begin, end + 1 - begin,
-                     "(" + value.value.midpoint().str(70, std::ios_base::scientific) + ")");
+                     "(" +
+                         value.value.midpoint().str(std::max(70U, digits.count + 5),
+                                                    std::ios_base::scientific) +
+                         ")");
     }
     return text;
 }
@@ -126,8 +129,9 @@ void check_near(const BoundedValue& found, const std::string& text) {
     const Ball bound = words.size() < 2 ? last_place(words[0])
                                         : enclosed_constant(Exact::parse(words[1].substr(2)), 128);
     const bool decimal = words[0].find_first_not_of("-.0123456789e") == std::string::npos;
-    const Ball exact = decimal ? Ball(parse_decimal(words[0]), 400)
-                               : enclosed_constant(Exact::parse(words[0]), 400);
+    const long bits = std::max(400L, found.value.bits());
+    const Ball exact = decimal ? Ball(parse_decimal(words[0]), bits)
+                               : enclosed_constant(Exact::parse(words[0]), bits);
     const Ball off = abs(Ball(found.value - exact));
     CHECK(found.proved);
     CHECK(off.upper() <= bound.upper());
@@ -263,6 +267,9 @@ TEST_CASE("the values of bodies of revolution of the oracles") {
 TEST_CASE("the values of more bodies of revolution of the oracles" * doctest::test_suite("slow")) {
     check_table("oracles/axisymmetric.txt", true);
     check_table("oracles/stress_of_revolution.txt", true);
+}
+TEST_CASE("every hard case has the digits of mpmath") {
+    check_table("oracles/hard-cases.txt", false);
 }
 TEST_CASE("values of scenes: closed forms, mpmath and relations") {
     check_table("scene/values.txt", false);

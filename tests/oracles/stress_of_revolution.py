@@ -11,6 +11,7 @@ import re
 from fractions import Fraction
 import axisymmetric
 import mpmath as mp
+from mpmath.calculus.quadrature import GaussLegendre
 
 BODIES = [(words, axisymmetric.Body(words + " a=1 E=1")) for words in [
     "flat-and-rounded t=3/10 R=1", "piecewise symmetric knots=1/8;1/2 slopes=x;3/4*x+1/32;3/4*x+1/32",
@@ -19,23 +20,7 @@ BODIES = [(words, axisymmetric.Body(words + " a=1 E=1")) for words in [
 mp.mp.dps = 25  # the bodies compare h' with its integral at more digits
 NU = mp.mpf(3) / 10
 PANELS = 8
-
-
-def gauss_legendre(n):
-    rule = []
-    for k in range(n):
-        x = mp.cos(mp.pi * (k + mp.mpf(3) / 4) / (n + mp.mpf(1) / 2))
-        for _ in range(12):  # Newton's method
-            before, value = mp.mpf(1), x
-            for m in range(2, n + 1):
-                before, value = value, ((2 * m - 1) * x * value - (m - 1) * before) / m
-            slope = n * (x * value - before) / (x * x - 1)
-            x -= value / slope
-        rule.append((x, 2 / ((1 - x * x) * slope * slope)))
-    return rule
-
-
-RULE = gauss_legendre(32)
+RULE = GaussLegendre(mp.mp).calc_nodes(5, mp.mp.prec)
 
 
 def punch(s, r, z):
@@ -75,7 +60,6 @@ def stresses(body, r, z):
     return [x / mp.pi for x in total]
 
 
-RULE = gauss_legendre(32)
 random.seed(18)
 with open("stress_of_revolution.txt", "w") as out:
     out.write("# mpmath 1.2.1, tests/oracles/stress_of_revolution.py; see tests/scene/values.txt\n")

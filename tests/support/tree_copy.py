@@ -18,27 +18,25 @@ def files_of(tree):
             for path in ([top] if top.is_file() else top.rglob("*")) if path.is_file()}
 
 
-def synchronise(tree, changed):
-    """Makes tree a copy of the working tree, except for the texts in `changed`, which may also be
-    those of new files. Files that are equal keep their time stamp, so that little is built again."""
+def synchronise(tree):
+    """Makes tree a copy of the working tree. Files that are equal keep their time stamp, so that
+    little is built again."""
     tree.mkdir(parents=True, exist_ok=True)
-    wanted = files_of(ROOT) | {Path(name) for name in changed}
+    wanted = files_of(ROOT)
     for name in files_of(tree) - wanted:
         (tree / name).unlink()
     for name in wanted:
-        target = tree / name
-        data = changed[str(name)].encode() if str(name) in changed else (ROOT / name).read_bytes()
+        target, data = tree / name, (ROOT / name).read_bytes()
         if not target.exists() or target.read_bytes() != data:
             target.parent.mkdir(parents=True, exist_ok=True)
             target.write_bytes(data)
-            if (ROOT / name).exists():
-                target.chmod((ROOT / name).stat().st_mode)
+            target.chmod((ROOT / name).stat().st_mode)
 
 
 class Copy:
     """The copy in `folder`, which is kept so that the next run builds less."""
 
-    def __init__(self, folder, jobs, changed=None, options=()):
+    def __init__(self, folder, jobs, options=()):
         self.tree = folder / "tree"
         self.build = folder / "build"
         self.jobs = jobs
@@ -48,7 +46,7 @@ class Copy:
             fcntl.flock(self.lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             sys.exit(f"another run is at work in {folder}")
-        synchronise(self.tree, changed or {})
+        synchronise(self.tree)
         self.must(["cmake", "-G", "Ninja", "-S", str(self.tree), "-B", str(self.build),
                    "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS_RELEASE=-O1",
                    "-DEDGEPROOF_PCH=ON", "-DEDGEPROOF_UNITY=32", "-DEDGEPROOF_WERROR=OFF",

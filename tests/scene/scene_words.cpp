@@ -17,9 +17,8 @@ namespace {
 using Keys = std::vector<std::pair<std::string, std::string>>;
 
 std::string section_of(const std::string& key) {
-    constexpr const char* sections[] = {"profile", "load", "shear", "ask", "units"};
     const Key* const known = key_named(key);
-    return known != nullptr ? sections[known->section] : key == "points" ? "ask" : "profile";
+    return known != nullptr ? std::string(known->section) : key == "points" ? "ask" : "profile";
 }
 
 std::string list_of(const std::string& text, const std::string& by, const auto& element) {

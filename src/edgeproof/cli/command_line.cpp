@@ -127,7 +127,7 @@ std::vector<std::string> with_words(const CLI::App& app,
                 value += "," + arguments[++i];
             }
         }
-        words.push_back(key->name + "=" + value);
+        words.push_back(std::string(key->name) + "=" + value);
     }
     return words;
 }

@@ -116,8 +116,9 @@ std::vector<std::string> completions(const CLI::App& app, const std::vector<std:
             all = shipped_names(folder);
         }
         if (takes_words(*current)) {
-            const auto keys = scene::keys_of_scene();
-            all.insert(all.end(), keys.begin(), keys.end());
+            for (const scene::Key& key : scene::keys_of_scene()) {
+                all.push_back(std::string(key.name) + "=");
+            }
         }
     }
     std::erase_if(all, [&](const std::string& word) {

@@ -110,7 +110,7 @@ private:
     }
     /// True for q under full stick; p and every other q are 0 at the edges.
     [[nodiscard]] bool is_infinite_at_edges() const {
-        return question_.quantity == Quantity::q && !scene_.slips() && !scene_.together();
+        return question_.quantity == Quantity::q && !scene_.slips() && !scene_.proportional();
     }
     /// p is the same from both edges; the nearer one loses fewer digits.
     [[nodiscard]] Edge nearer(Edge edge, double place) const {

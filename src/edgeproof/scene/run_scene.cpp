@@ -159,7 +159,7 @@ private:
         const Quantity quantity = row.asked.quantity;
         const QuantityRow& def = row_of(quantity);
         if (computes(row.asked.edge) || quantity == Quantity::x || quantity == Quantity::u ||
-            def.of_friction() || (def.of_shear() && !scene_.together())) {
+            def.of_friction() || (def.of_shear() && !scene_.proportional())) {
             return false;
         }
         // The mirror image of a place given by x is another place.
@@ -314,7 +314,7 @@ std::vector<RowsAt> SceneResult::at_edges(QuantityGroup group) const {
     });
 }
 
-int shear_half_powers(const Scene& scene) { return scene.together() ? 1 : -1; }
+int shear_half_powers(const Scene& scene) { return scene.proportional() ? 1 : -1; }
 
 bool covers_zone(const Scene& scene, const BoundedValue& first_exit) {
     const Ball& exit = first_exit.value;

@@ -47,13 +47,12 @@ bool rises_outwards(const LoadHistory& history) {
 
 /// Refuses stresses that are infinite, or that have no greatest value.
 void check(const Scene& scene, Quantity quantity) {
-    const bool sheared =
-        scene.history
-            ? std::ranges::any_of(
-                  scene.history->layers,
-                  [](const LoadHistory::Layer& layer) { return layer.ratio.sign() != 0; })
-            : scene.shear && (scene.shear->Q.sign() != 0 || scene.shear->bulk_tension.sign() != 0);
-    if (sheared && !scene.slips() && !scene.together()) {
+    const bool sheared = scene.history ? std::ranges::any_of(scene.history->layers,
+                                                             [](const LoadHistory::Layer& layer) {
+                                                                 return layer.ratio.sign() != 0;
+                                                             })
+                                       : scene.slips() || scene.proportional();
+    if (full_stick_load(scene, Body::A, search_bits)) {
         refuse(scene, "under full stick the stresses are infinite at the edges",
                "give friction in [shear] (partial slip), or path = \"together\"");
     }

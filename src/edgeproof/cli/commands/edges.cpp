@@ -25,7 +25,7 @@ int expand(Options& o) {
     c.note("p = sum of c_k u^(k + 1/2) at the distance u from the edge; |value - exact| <= bound");
     c.note("c_0, c_1, c_2 are the L_I, M_I, N_I of the literature");
     if (c.result.plan.expand_shear) {
-        c.note(c.scene.together()
+        c.note(c.scene.proportional()
                    ? "q = (Q/P) p = sum of s_k u^(k + 1/2)"
                    : "q = sum of s_k u^(k - 1/2): s_0, s_1, s_2 are K_II, L_II, M_II");
     }
@@ -162,10 +162,6 @@ void note_slip(Computing& c, bool series) {
 int slip(Options& o) {
     Computing c(o);
     scene::Ask& ask = c.scene.ask;
-    if (!c.scene.slips()) {
-        c.reject("the scene has no friction, so that nothing slips",
-                 "add friction = \"0.6\" to [shear], in addition to Q", c.scene.load_line);
-    }
     ask_at_edges(c.scene);
     const bool series = !c.scene.history; // the series is that of one step of Q
     if (series) {

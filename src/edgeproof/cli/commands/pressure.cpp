@@ -99,9 +99,10 @@ void fill(Row& row, const Line& line, const Computing& c, bool by_name, bool no_
 }
 
 void note_shear(Computing& c) {
+    const std::string q = std::string("q: shear traction ") + c.scene.shear_state() +
+                          ", positive towards +x on the body that Q acts on; ";
     if (c.result.plan.partial_slip) {
-        c.note(std::string("q: shear traction in partial slip, positive towards +x on the body "
-                           "that Q acts on; q_over_fp: |q|/(f p); state: ") +
+        c.note(q + "q_over_fp: |q|/(f p); state: " +
                (c.scene.history ? "slip where the place slipped in the last step"
                                 : "slip where that is 1, stick where it is less") +
                "; the q columns are as those of p");
@@ -111,8 +112,7 @@ void note_shear(Computing& c) {
                 "of the slip zones)");
         }
     } else if (c.scene.ask.wants(QuantityGroup::shear)) {
-        c.note("q: shear traction under full stick, positive towards +x on the body that Q acts "
-               "on; the q columns are as those of p");
+        c.note(q + "the q columns are as those of p");
     }
 }
 

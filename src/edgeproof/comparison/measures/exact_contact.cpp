@@ -200,8 +200,9 @@ void ExactContact::find_shear() {
     const contact::ShearSpec& spec = *scene_.shear;
     const std::string area_text = axisymmetric_ ? "(pi a^2)" : "(a + b)";
     ExactShear& shear = shear_.emplace();
-    shear.force = spec.Q.to<double>();
-    shear.singular = !spec.friction && spec.path != contact::LoadingPath::together;
+    shear.force = spec.force([](const formula::Exact& x) { return x.to<double>(); },
+                             [&] { return value({scene::Quantity::P}).value; });
+    shear.singular = !scene_.slips() && !scene_.proportional();
     if (scene_.history) {
         shear.scale =
             spec.friction->to<double>() * scene_.history->layers.back().force.to<double>() / area();

@@ -4,6 +4,7 @@
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
+#include "edgeproof/scene/input/scene_words.hpp"
 
 #include <fmt/format.h>
 
@@ -31,8 +32,8 @@ void Parameter::set_items(const std::vector<std::string>& items) {
 }
 
 bool Parameter::is_word() const {
-    const auto words = {"kind", "geometry", "slopes", "symmetric", "path"};
-    return std::ranges::find(words, key) != words.end();
+    const scene::Key* const known = scene::key_named(key);
+    return known != nullptr && known->word;
 }
 
 std::string parameter_text(const AskedContact& contact, std::string_view key) {
@@ -98,18 +99,13 @@ void check_askable(const AskedContact& contact, const scene::AskedValue& asked,
 
 const std::vector<ParameterKey>& parameter_keys() {
     static const std::vector<ParameterKey> keys = [] {
-        constexpr std::pair<std::string_view, std::string_view> sections[] = {
-            {"profile", "kind geometry m C phi alpha t flat_width R R1 R2 knots slopes symmetric"},
-            {"load", "a width P delta M contact_modulus nu E1 nu1 E2 nu2"},
-            {"shear", "Q bulk_tension bulk_A path friction"},
-            {"steps", "step_P step_Q"},
-        };
         std::vector<ParameterKey> list;
-        for (const auto& [section, names] : sections) {
-            for (const std::string_view name : io::split_words(names)) {
-                list.push_back({name, section});
+        for (const scene::Key& key : scene::keys_of_scene()) {
+            if (key.section != "ask" && key.section != "units") {
+                list.push_back({key.name, key.section});
             }
         }
+        list.insert(list.end(), {{"step_P", "steps"}, {"step_Q", "steps"}});
         return list;
     }();
     return keys;

@@ -27,8 +27,7 @@ struct Parameter {
     /// The items of a list, or the text itself.
     [[nodiscard]] std::vector<std::string> items() const;
     void set_items(const std::vector<std::string>& items);
-    /// True for kind, geometry, slopes, symmetric and path: not a number, and the same for every
-    /// program.
+    /// True for kind, slopes and others: not a number, and the same for every program.
     [[nodiscard]] bool is_word() const;
     [[nodiscard]] bool is_list() const {
         return key == "knots" || key == "slopes" || key.starts_with("step_");

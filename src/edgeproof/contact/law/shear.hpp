@@ -38,6 +38,17 @@ struct ShearSpec {
     /// The bulk stress of body A; that of body B is bulk_A + bulk_tension. Only stresses depend on
     /// it.
     Exact bulk_A = {};
+
+    /// Q under the force `P`, and q/p where q is proportional to p; `number` gives an Exact in
+    /// another type of numbers.
+    template <class Number, class Force>
+    [[nodiscard]] auto force(const Number& number, const Force& /*P*/) const {
+        return number(Q);
+    }
+    template <class Number, class Force>
+    [[nodiscard]] auto ratio(const Number& number, const Force& P) const {
+        return number(Q) / P();
+    }
 };
 
 template <class T> struct ShearLoad {

@@ -63,7 +63,7 @@ Plot stress_picture(const scene::Scene& scene, std::string_view stress, scene::B
     if (scene.slips()) {
         field.stick = {-end(Quantity::stick_b), end(Quantity::stick_a)};
     }
-    field.is_unbounded = scene.shear && !scene.slips() && !scene.together(); // K_II
+    field.is_unbounded = scene.shear && !scene.slips() && !scene.proportional(); // K_II
     const scene::Units units = scene.units.value_or(scene::Units{});
     const std::string body_name = body == scene::Body::A ? "A" : "B";
     field.title = name + unit_label(units.pressure);

@@ -205,10 +205,8 @@ std::vector<contact::ErrorFamily> DesignScene::errors(std::string& why_not) cons
             return all;
         }
     }
-    if (shear && top_->section("shear").has("path") &&
-        top_->section("shear").text("path") == "together") {
-        why_not =
-            "P and Q grow together: q = (Q/P) p, whose relative error is that of the pressure";
+    if (shear && at(range.from).proportional()) {
+        why_not = "q is proportional to p: its relative error is that of the pressure";
         return all;
     }
     for (const Edge edge : edges) {

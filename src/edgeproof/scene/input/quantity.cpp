@@ -156,6 +156,10 @@ struct LackIf {
     bool lacks;
     Lack what;
 };
+/// The lack of a scene of which no part slips next to one that sticks.
+Lack no_slip(const Scene& /*scene*/) {
+    return {"there is no friction", "add friction = \"0.6\" to [shear], and Q"};
+}
 std::optional<Lack> first_of(const std::vector<LackIf>& conditions) {
     const auto found = std::ranges::find(conditions, true, &LackIf::lacks);
     return found == conditions.end() ? std::nullopt : std::optional(found->what);
@@ -187,7 +191,7 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
          {"the contact is plane, where the approach is undetermined", ""}},
         {(needs == Needs::poisson || needs == Needs::reference) && !poisson,
          {"there is no Poisson's ratio", "add nu to [load]"}},
-        {rubbed && !scene.slips(), {"there is no friction", "add friction"}},
+        {rubbed && !scene.slips(), no_slip(scene)},
         {(needs == Needs::friction_alone || needs == Needs::cycle) && scene.slips() &&
              scene.shear->bulk_tension.sign() != 0,
          {"there is a bulk tension", "leave bulk_tension out"}},
@@ -218,12 +222,13 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
 
 std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
     const std::string name(group.name);
-    const std::string problem = name + " is requested, but there is no ";
+    const std::string wanted = name + " is requested, but ";
+    const std::string problem = wanted + "there is no ";
     const bool round_stress = scene.round && group.group == QuantityGroup::stress;
     const auto lack = first_of({
         {group.shear && !scene.shear, {problem + "[shear]", "add [shear] with Q or bulk_tension"}},
         {group.friction && !scene.slips(),
-         {problem + "friction", "add friction = \"0.6\" to [shear]"}},
+         {wanted + no_slip(scene).problem, no_slip(scene).instead}},
         {scene.curved_body() && group.group == QuantityGroup::extent,
          {name + " is not computed for curved slopes of revolution",
           "give a power law or a piecewise linear g'"}},

@@ -5,6 +5,7 @@
 #include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/scene/input/readers.hpp"
+#include "edgeproof/scene/input/scene_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -248,8 +249,9 @@ void require_positive(const io::TomlSection& section, std::string_view key, cons
 }
 
 void read_ask(const io::TomlSection& ask, const io::TomlSection& profile, Scene& scene) {
-    ask.allow({"edges", "terms", "u", "x", "points", "quantities", "tolerance", "process_zone",
-               "reference", "part", "route", "digits"});
+    std::vector<std::string_view> keys = keys_of_section("ask");
+    keys.emplace_back("points");
+    ask.allow(keys);
     Ask& result = scene.ask;
     scene.ask_line = ask.line();
     if (ask.has("edges")) {

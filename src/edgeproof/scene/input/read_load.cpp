@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/scene/input/readers.hpp"
+#include "edgeproof/scene/input/scene_words.hpp"
 
 #include <array>
 #include <string>
@@ -133,8 +134,7 @@ Exact force_of_ratio(const io::TomlSection& shear, const Scene& scene) {
 } // namespace
 
 void read_load(const io::TomlSection& load, Scene& scene) {
-    load.allow(
-        {"a", "width", "P", "delta", "M", "contact_modulus", "E", "nu", "E1", "nu1", "E2", "nu2"});
+    load.allow(keys_of_section("load"));
     scene.load_line = load.line();
     scene.contact_modulus = read_modulus(load, scene);
     std::string given;
@@ -189,7 +189,7 @@ void check_reach(const io::TomlSection& load, const Scene& scene) {
 }
 
 void read_shear(const io::TomlSection& shear, Scene& scene) {
-    shear.allow({"Q", "q_ratio", "bulk_tension", "bulk_A", "path", "friction"});
+    shear.allow(keys_of_section("shear"));
     shear.require(shear.has("Q") || shear.has("q_ratio") || shear.has("bulk_tension"), shear.line(),
                   "the shear section has no load",
                   "add Q = \"...\" or bulk_tension = \"...\", or leave [shear] out");

@@ -145,9 +145,12 @@ struct Scene {
 
     /// True if there is friction, so that part of the contact slips.
     [[nodiscard]] bool slips() const { return shear && shear->friction; }
-    /// True if P and Q grow in proportion, so that q = (Q/P) p.
-    [[nodiscard]] bool together() const {
+    /// True if q = (Q/P) p: P and Q grow in proportion.
+    [[nodiscard]] bool proportional() const {
         return shear && shear->path == contact::LoadingPath::together;
+    }
+    [[nodiscard]] const char* shear_state() const {
+        return slips() ? "in partial slip" : "under full stick";
     }
     /// Poisson's ratio of a body, if it is given.
     [[nodiscard]] std::optional<Exact> poisson(Body body) const {

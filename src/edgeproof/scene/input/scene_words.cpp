@@ -14,59 +14,45 @@
 namespace edgeproof::scene {
 namespace {
 
-/// The keys of each section that have one value, or a list (with a star).
-constexpr std::pair<const char*, const char*> keys_of_sections[] = {
-    {"profile", "kind geometry m C R R1 R2 t flat_width phi alpha knots* slopes* symmetric"},
-    {"load", "a width P M delta contact_modulus E nu E1 nu1 E2 nu2"},
-    {"shear", "Q q_ratio bulk_tension bulk_A friction path"},
-    {"ask", "edges* u* x* terms* tolerance process_zone quantities* reference part* route digits"},
-    {"units", "length force pressure"}};
-
-const std::vector<Key>& keys() {
-    static const std::vector<Key> all = [] {
-        std::vector<Key> made;
-        for (std::size_t i = 0; i < std::size(keys_of_sections); ++i) {
-            for (const std::string_view name : io::split_words(keys_of_sections[i].second)) {
-                const bool list = name.back() == '*';
-                made.push_back(
-                    {std::string(name.substr(0, name.size() - (list ? 1 : 0))), i, list});
-            }
-        }
-        return made;
-    }();
-    return all;
-}
+/// The keys of each section that have one value or a list (with a star), and no number (a colon).
+constexpr std::pair<std::string_view, const char*> keys_of_sections[] = {
+    {"profile", "kind: geometry: m C phi alpha t flat_width R R1 R2 knots* slopes*: symmetric:"},
+    {"load", "a width P delta M contact_modulus E nu E1 nu1 E2 nu2"},
+    {"shear", "Q q_ratio bulk_tension bulk_A path: friction"},
+    {"ask", "edges*: u* x* terms* tolerance process_zone quantities*: reference part* route: "
+            "digits"},
+    {"units", "length: force: pressure:"}};
 
 io::TomlEntry entry_of(const Key& key, const std::string& value) {
-    if (key.name == "edges" && value == "both") {
-        return {key.name, std::vector<std::string>{"right", "left"}};
+    const std::string name(key.name);
+    if (name == "edges" && value == "both") {
+        return {name, std::vector<std::string>{"right", "left"}};
     }
-    if (key.name == "symmetric") {
-        return {key.name, value != "false"};
+    if (name == "symmetric") {
+        return {name, value != "false"};
     }
     const std::size_t dots = value.find("..");
     const bool range = dots != std::string::npos && dots > 0 && dots + 2 < value.size();
-    if (range && (key.name == "u" || key.name == "x")) {
+    if (range && (name == "u" || name == "x")) {
         const std::size_t colon = std::min(value.find(':', dots), value.size());
         const std::string points = colon < value.size() ? value.substr(colon + 1) : "21";
         require(!points.empty() && points.size() < 7 &&
                     points.find_first_not_of("0123456789") == std::string::npos,
-                key.name + "=" + value + ": '" + points + "' is no number of points",
-                "write " + key.name + "=FROM..TO:POINTS, such as " + key.name + "=-1..1:21");
-        return {key.name,
-                io::TomlRange{value.substr(0, dots), value.substr(dots + 2, colon - dots - 2),
-                              std::stol(points)}};
+                name + "=" + value + ": '" + points + "' is no number of points",
+                "write " + name + "=FROM..TO:POINTS, such as " + name + "=-1..1:21");
+        return {name, io::TomlRange{value.substr(0, dots), value.substr(dots + 2, colon - dots - 2),
+                                    std::stol(points)}};
     }
     if (key.list && !value.empty()) {
-        return {key.name, parts_of(value)};
+        return {name, parts_of(value)};
     }
     if (range) {
-        return {key.name, io::TomlRange{value.substr(0, dots), value.substr(dots + 2)}};
+        return {name, io::TomlRange{value.substr(0, dots), value.substr(dots + 2)}};
     }
-    if (key.name == "tolerance") {
+    if (name == "tolerance") {
         refuse_whole_tolerance("tolerance =", value);
     }
-    return {key.name, value};
+    return {name, value};
 }
 
 } // namespace
@@ -91,9 +77,33 @@ std::vector<std::string> parts_of(const std::string& text) {
     return parts;
 }
 
+const std::vector<Key>& keys_of_scene() {
+    static const std::vector<Key> all = [] {
+        std::vector<Key> made;
+        for (const auto& [section, names] : keys_of_sections) {
+            for (const std::string_view name : io::split_words(names)) {
+                made.push_back({name.substr(0, name.find_first_of("*:")), section,
+                                name.find('*') != name.npos, name.back() == ':'});
+            }
+        }
+        return made;
+    }();
+    return all;
+}
+
 const Key* key_named(std::string_view name) {
-    const auto found = std::ranges::find(keys(), name, &Key::name);
-    return found == keys().end() ? nullptr : &*found;
+    const auto found = std::ranges::find(keys_of_scene(), name, &Key::name);
+    return found == keys_of_scene().end() ? nullptr : &*found;
+}
+
+std::vector<std::string_view> keys_of_section(std::string_view section) {
+    std::vector<std::string_view> names;
+    for (const Key& key : keys_of_scene()) {
+        if (key.section == section) {
+            names.push_back(key.name);
+        }
+    }
+    return names;
 }
 
 std::size_t key_length(const std::string& word) {
@@ -118,17 +128,9 @@ std::string value_of(const std::vector<std::string>& words, std::string_view key
     return value;
 }
 
-std::vector<std::string> keys_of_scene() {
-    std::vector<std::string> all;
-    for (const Key& key : keys()) {
-        all.push_back(key.name + "=");
-    }
-    return all;
-}
-
 GivenScene given_scene(const std::vector<std::string>& words) {
     GivenScene given;
-    std::vector<std::vector<io::TomlEntry>> entries(std::size(keys_of_sections));
+    std::map<std::string_view, std::vector<io::TomlEntry>> entries; // by section
     for (const std::string& word : words) {
         const std::size_t length = key_length(word);
         if (length == std::string::npos) {
@@ -141,7 +143,7 @@ GivenScene given_scene(const std::vector<std::string>& words) {
         const Key* const key = key_named(name);
         if (key == nullptr) {
             std::vector<std::string_view> names;
-            std::ranges::transform(keys(), std::back_inserter(names), &Key::name);
+            std::ranges::transform(keys_of_scene(), std::back_inserter(names), &Key::name);
             throw InputError("there is no key '" + name + "' of a scene", one_of(name, names));
         }
         io::TomlEntry entry = entry_of(*key, word.substr(length + 1));
@@ -158,7 +160,7 @@ GivenScene given_scene(const std::vector<std::string>& words) {
             throw InputError(name + " is given twice", "give one value");
         }
     }
-    auto& ask = entries[3];
+    auto& ask = entries["ask"];
     for (const auto& [place, other] : {std::pair{"u", "x"}, std::pair{"x", "u"}}) {
         if (!given.file.empty() && std::ranges::count(ask, place, &io::TomlEntry::key) > 0 &&
             std::ranges::count(ask, other, &io::TomlEntry::key) == 0) {
@@ -166,9 +168,10 @@ GivenScene given_scene(const std::vector<std::string>& words) {
             break;
         }
     }
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        if (!entries[i].empty() || (given.file.empty() && i < 2 && !words.empty())) {
-            given.instead.push_back({keys_of_sections[i].first, 0, std::move(entries[i])});
+    for (const auto& [section, names] : keys_of_sections) {
+        const bool needed = section == "profile" || section == "load";
+        if (!entries[section].empty() || (given.file.empty() && needed && !words.empty())) {
+            given.instead.push_back({std::string(section), 0, std::move(entries[section])});
         }
     }
     require(!given.file.empty() || !given.instead.empty(), "no scene is given",

@@ -27,14 +27,16 @@ struct GivenScene {
 
 /// A key of a scene that has one value, or a list.
 struct Key {
-    std::string name;
-    std::size_t section;
+    std::string_view name;
+    std::string_view section;
     bool list;
+    bool word; ///< no number
 };
+/// The keys of all sections, in the order of the columns of tables.
+[[nodiscard]] const std::vector<Key>& keys_of_scene();
 /// Null for other names.
 [[nodiscard]] const Key* key_named(std::string_view name);
-/// Returns "kind=", "R=", ...
-[[nodiscard]] std::vector<std::string> keys_of_scene();
+[[nodiscard]] std::vector<std::string_view> keys_of_section(std::string_view section);
 
 /// Reads a question: the symbol of a quantity (p, c_1, extent_2) and the keys of its place: u or x,
 /// at (X,Z of a body), edge (right), body (A), tolerance (1%), reference (0). Throws InputError for

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/input/units.hpp"
+#include "edgeproof/scene/input/scene_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -154,7 +155,7 @@ std::string Units::text(bool axisymmetric) const {
 }
 
 Units read_units(const io::TomlSection& section) {
-    section.allow({"length", "force", "pressure"});
+    section.allow(keys_of_section("units"));
     Units units;
     const auto read = [&](std::string_view key, Unit::Dimension dimension, const char* examples) {
         std::optional<Unit> unit;

@@ -73,7 +73,7 @@ std::optional<contact::StressField> BallLevel::stress_field(Body body) {
                    Ball(0, bits_)}},
         .bulk = bulk_stress(body)};
     field.mirrored = scene_.symmetric();
-    if (!scene_.slips() && !scene_.together()) {
+    if (!scene_.slips() && !scene_.proportional()) {
         return field;
     }
     field.mirrored = false;

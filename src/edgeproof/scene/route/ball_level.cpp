@@ -34,7 +34,7 @@ BoundedSeries BallLevel::p_series(Edge edge) const {
 }
 
 BoundedSeries BallLevel::q_series(Edge edge) {
-    if (scene_.together()) {
+    if (scene_.proportional()) {
         BoundedSeries series = p_series(edge);
         const Ball ratio = shear_ratio();
         series.most *= abs(ratio);

@@ -65,7 +65,7 @@ struct BoundedSeries {
 /// The shear load on a body under full stick; nothing in a scene without one.
 [[nodiscard]] inline std::optional<contact::ShearLoad<Ball>> full_stick_load(const Scene& scene,
                                                                              Body body, long bits) {
-    if (!scene.shear || scene.slips() || scene.together() ||
+    if (!scene.shear || scene.slips() || scene.proportional() ||
         (scene.shear->Q.sign() == 0 && scene.shear->bulk_tension.sign() == 0)) {
         return {};
     }
@@ -135,8 +135,8 @@ public:
             return s != nullptr ? s->traction(edge, distance(u), p(edge, u), known_x(edge, u))
                                 : not_known();
         }
-        return scene_.together() ? shear_ratio() * p(edge, u)
-                                 : full_stick_traction(length(), load(), edge, distance(u));
+        return scene_.proportional() ? shear_ratio() * p(edge, u)
+                                     : full_stick_traction(length(), load(), edge, distance(u));
     }
     [[nodiscard]] static Distance place(const AskedValue& asked) { return asked.distance(); }
     [[nodiscard]] Ball distance(const Distance& u) const { return u.enclosure(a(), b(), bits_); }
@@ -184,7 +184,7 @@ public:
     }
     [[nodiscard]] const std::vector<Ball>& s(Edge edge) {
         auto& s = s_[edge];
-        if (s.empty() && scene_.together()) {
+        if (s.empty() && scene_.proportional()) {
             for (const Ball& x : c(edge)) {
                 s.push_back(shear_ratio() * x);
             }
@@ -293,7 +293,7 @@ private:
         if (!scene_.shear) {
             return none;
         }
-        if (scene_.together()) {
+        if (scene_.proportional()) {
             return p * shear_ratio();
         }
         if (!scene_.slips()) {
@@ -339,13 +339,14 @@ private:
         Ball p;
     };
     /// True if the first term of the expansion of p, or of q, is infinite at the edge.
-    [[nodiscard]] bool singular(bool shear) const { return shear && !scene_.together(); }
+    [[nodiscard]] bool singular(bool shear) const { return shear && !scene_.proportional(); }
     [[nodiscard]] contact::ShearLoad<Ball> load() const {
         return {ball_of(scene_.shear->Q, bits_), ball_of(scene_.shear->bulk_tension, bits_)};
     }
     [[nodiscard]] const Ball& shear_ratio() {
         if (!ratio_) {
-            ratio_ = ball_of(scene_.shear->Q, bits_) / force();
+            ratio_ = scene_.shear->ratio([&](const Exact& x) { return ball_of(x, bits_); },
+                                         [&] { return force(); });
         }
         return *ratio_;
     }

@@ -56,9 +56,9 @@ public:
     }
     [[nodiscard]] Number p(Edge edge, const Number& u) const { return contact_.pressure(edge, u); }
     [[nodiscard]] Number q(Edge edge, const Number& u) const {
-        return scene_.slips()      ? throw contact::NoExactForm()
-               : scene_.together() ? load().Q / force() * p(edge, u)
-                                   : full_stick_traction(length(), load(), edge, u);
+        return scene_.slips()          ? throw contact::NoExactForm()
+               : scene_.proportional() ? ratio() * p(edge, u)
+                                       : full_stick_traction(length(), load(), edge, u);
     }
     /// c_k of p, or s_k of q.
     [[nodiscard]] Number coefficient(Edge edge, std::size_t k, bool shear) {
@@ -66,7 +66,7 @@ public:
     }
     /// The sum of n terms of p, or of q.
     [[nodiscard]] Number sum(Edge edge, const Number& u, std::size_t n, bool shear) {
-        return sum_of_terms(terms(edge, n, shear), n, u, shear && !scene_.together());
+        return sum_of_terms(terms(edge, n, shear), n, u, shear && !scene_.proportional());
     }
     /// 1 - sum/value, with its sign.
     [[nodiscard]] Number relative_error(Edge edge, const Number& u, std::size_t n, bool shear) {
@@ -82,16 +82,20 @@ private:
         }
         if (!shear) {
             known = contact_.expansion(edge, n);
-        } else if (scene_.together()) {
+        } else if (scene_.proportional()) {
             known = terms(edge, n, false);
-            const Number ratio = load().Q / force();
+            const Number factor = ratio();
             for (Number& x : known) {
-                x = ratio * x;
+                x = factor * x;
             }
         } else {
             known = full_stick_expansion(length(), load(), edge, n);
         }
         return known;
+    }
+    [[nodiscard]] Number ratio() const {
+        return scene_.shear->ratio([](const Exact& x) { return contact::exact_form(x.expr()); },
+                                   [&] { return force(); });
     }
     [[nodiscard]] contact::ShearLoad<Number> load() const {
         return {contact::exact_form(scene_.shear->Q.expr()),

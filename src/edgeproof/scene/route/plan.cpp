@@ -76,8 +76,8 @@ Plan make_plan(const Scene& scene) {
     const bool coefficients = ask.wants(QuantityGroup::coefficients);
     const bool approximations = plan.points > 0 && !ask.terms.empty();
     plan.terms = coefficients || approximations ? ask.most_terms() : 0;
-    // The expansions of q are those of full stick.
-    plan.expand_shear = scene.shear && !scene.round && !scene.history &&
+    // The expansions of q are those of full stick, or of p.
+    plan.expand_shear = scene.shear && (!scene.round || scene.proportional()) && !scene.history &&
                         (coefficients || (approximations && shear && !plan.partial_slip));
     return plan;
 }

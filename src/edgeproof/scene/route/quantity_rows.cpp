@@ -78,7 +78,7 @@ const char* pressure(const Scene& s) {
 const char* peak(const Scene& s) {
     return peaks_in_the_middle(s) ? "at the origin" : "branch and bound";
 }
-const char* stuck(const Scene& s) { return s.together() ? "similar" : "full-stick"; }
+const char* stuck(const Scene& s) { return s.proportional() ? "similar" : "full-stick"; }
 const char* shear(const Scene& s) { return s.slips() ? "superposition" : stuck(s); }
 const char* cycle(const Scene& s) { return s.history ? "superposition" : "Mindlin's loop"; }
 const char* along_surface(const Scene& s) {

@@ -63,7 +63,9 @@ void SceneValues::refuse_unknown(const QuantityRow& row, const AskedValue& asked
                            : ""));
 }
 
-bool SceneValues::no_traction_at_edges() const { return !scene_.shear || scene_.slips(); }
+bool SceneValues::no_traction_at_edges() const {
+    return !scene_.shear || scene_.slips() || scene_.proportional();
+}
 
 void SceneValues::refuse_outside(Edge edge, const Distance& u) {
     if (!u.number()) {

@@ -79,10 +79,14 @@ void Computing::run() {
 
 void Computing::add_fact(const std::string& key, Quantity quantity) {
     if (const scene::Row* row = result.find(quantity)) {
-        const scene::PrintedValue p = printed(*row->value, scene.ask.digits);
-        table.facts.push_back(
-            {key, p.text, p.bound, how(*row->value, p), unit_of(scene, quantity)});
+        add_fact(key, quantity, *row->value);
     }
+}
+
+void Computing::add_fact(const std::string& key, Quantity quantity,
+                         const scene::BoundedValue& value) {
+    const scene::PrintedValue p = printed(value, scene.ask.digits);
+    table.facts.push_back({key, p.text, p.bound, how(value, p), unit_of(scene, quantity)});
 }
 
 void Computing::add_slip_facts() {

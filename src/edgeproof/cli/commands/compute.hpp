@@ -49,6 +49,8 @@ public:
 private:
     /// Adds the value of a quantity of the contact, if it was computed.
     void add_fact(const std::string& key, scene::Quantity quantity);
+    void add_fact(const std::string& key, scene::Quantity quantity,
+                  const scene::BoundedValue& value);
 };
 
 [[nodiscard]] std::string edge_of(const Line& line);

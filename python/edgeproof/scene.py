@@ -148,10 +148,11 @@ class Scene:
     E, nu            in their place: those of two equal bodies
     nu               with contact_modulus: Poisson's ratio of both bodies, for stresses of von Mises
     Q, bulk_tension  shear force per unit length, and differential bulk tension
-    q_ratio          Q/(friction P), in place of Q
+    q_ratio          Q/(f P), in place of Q, with P and friction
     bulk_A           the bulk stress of body A; B has bulk_A + bulk_tension
     friction         the coefficient of friction: zones at the edges slip; None: full stick
     path             "normal-first" (P, then Q at constant P) or "together" (P and Q in proportion)
+    sliding          "right" or "left", in place of Q: q = friction p, or -friction p, everywhere
     delta            the approach of a body of revolution, in place of a or P
     steps            a load history in place of P, Q and bulk_tension: for each step the loads at its
                      end that change, such as [{"P": 600}, {"Q": 200}, {"Q": -200}], and "cycles" in
@@ -185,7 +186,8 @@ class Scene:
                  nu: Number | None = None, Q: Number | None = None,
                  bulk_tension: Number | None = None, bulk_A: Number | None = None,
                  friction: Number | None = None, path: str | None = None,
-                 delta: Number | None = None, q_ratio: Number | None = None,
+                 sliding: str | None = None, q_ratio: Number | None = None,
+                 delta: Number | None = None,
                  steps: Iterable[Mapping[str, Number]] = (),
                  units: Mapping[str, str] | None = None, title: str = "") -> None:
         if not isinstance(profile, Profile):
@@ -199,7 +201,7 @@ class Scene:
         given = dict(zip(_LOAD, (a, P, M, delta, contact_modulus, E1, nu1, E2, nu2, nu)))
         load: list[Any] = [(k, v) for k, v in given.items() if v is not None]
         tractions = {"Q": Q, "q_ratio": q_ratio, "bulk_tension": bulk_tension, "bulk_A": bulk_A,
-                     "friction": friction, "path": path}
+                     "friction": friction, "path": path, "sliding": sliding}
         shear: list[Any] = [(k, v) for k, v in tractions.items() if v is not None]
         history: list[Any] = [list(step.items()) for step in steps]
         self._set(_edgeproof.NativeScene.from_keys(
@@ -251,7 +253,7 @@ class Scene:
 
     @property
     def has_shear(self) -> bool:
-        """True if Q or a bulk tension is given."""
+        """True if Q, a bulk tension or sliding is given."""
         return bool(self._facts["has_shear"])
 
     @property
@@ -643,8 +645,8 @@ class Scene:
 
     def _needs_friction(self) -> None:
         if not self.has_friction:
-            raise InputError("the scene has no friction, so that nothing slips",
-                             "give friction and Q")
+            raise InputError("the scene has no zones that slip and stick",
+                             "give friction and Q, and no sliding")
 
     @checked
     def slip(self, edge: str = "right", terms: int | Sequence[int] = (1, 2, 3),

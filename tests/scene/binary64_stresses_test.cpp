@@ -44,6 +44,7 @@ const std::vector<std::string> mapped_contacts{
     "tilted-wedge phi=1/3 alpha=1/10 a=1 E=2 nu=0.3 Q=0.3 bulk_tension=0.2",
     "tilted-flat-and-rounded alpha=1/10 t=0.4 R=2 a=1 E=2 nu=0.3 Q=0.1 path=together",
     "power-law m=5/2 C=1 a=1 E=2 nu=0.3 Q=0.1 friction=0.6",
+    "hertz R=1 a=1 E=2 nu=0.3 friction=0.6 sliding=left bulk_tension=0.1",
     "sphere R=1 a=1 E=2 nu=0.3",
     "cone phi=1/5 a=1 E=2 nu=0.3",
 };

@@ -24,6 +24,7 @@ const std::vector<std::string> ray_contacts{
     "tilted-wedge phi=1/5 alpha=-1/12 a=1 E=3/2",
     "power-law m=5/2 C=1/3 a=1 E=3/2 Q=1/20 bulk_A=1/9 path=together",
     stuck_contact,
+    "tilted-wedge phi=1/5 alpha=-1/12 a=1 E=3/2 friction=0.3 sliding=left bulk_tension=0.1",
     "hertz R=2 a=1 E=3/2 Q=-0.1 friction=0.5",
     "power-law m=5/2 C=1/3 a=1 E=3/2 Q=0.05 friction=0.6",
     "tilted-flat-and-rounded alpha=0.1 t=0.4 R=2 a=1 E=3/2 Q=-0.1 friction=0.6 bulk_tension=0.03 "

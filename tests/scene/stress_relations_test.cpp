@@ -145,6 +145,8 @@ const std::vector<std::string> stressed_contacts{
     "tilted-flat-and-rounded alpha=1/20 t=1/4 R=1 friction=1/2 [P=1] [P=1.2,Q=0.3] [P=0.8,Q=-0.1] "
     "[Q=0.2] [P=1.4]" +
         modulus,
+    "hertz R=2 P=1 friction=1/2 sliding=left bulk_tension=0.02 bulk_A=0.2" + modulus,
+    "power-law m=5/2 C=1/3 P=1 friction=3 sliding=right" + modulus,
     "power-law m=1/2 C=3 a=1/2 Q=0.3 bulk_tension=2/7" + modulus,
     "power-law m=10 C=2 a=5/4 Q=0.3 bulk_tension=-2/7" + modulus,
     "power-law m=100 C=2 a=0.9 Q=0.3 bulk_tension=2/7" + modulus,

@@ -122,8 +122,12 @@ const sceneOf = (state) => {
     }
     if (state.shear !== 'none') {
         add('[shear]', 'shear');
+        const sliding = state.shear === 'right' || state.shear === 'left';
+        if (sliding) {
+            add(`sliding = "${state.shear}"`, 'shear');
+        }
         if (state.shear !== 'steps') {
-            ['Q', 'bulk_tension'].forEach(value);
+            (sliding ? ['bulk_tension'] : ['Q', 'bulk_tension']).forEach(value);
         }
         if (state.shear !== 'stick') {
             value('friction');

@@ -75,6 +75,13 @@ void Computing::run() {
             add_fact(scene::symbol_of({row.quantity}), row.quantity);
         }
     }
+    if (const scene::Row* const P = result.find(Quantity::P); P != nullptr && scene.slides()) {
+        const auto number = [&](const formula::Exact& x) {
+            return formula::ball_of(x, P->value->value.bits());
+        };
+        add_fact("Q", Quantity::P,
+                 {scene.shear->force(number, [&] { return P->value->value; }), true, "f P"});
+    }
 }
 
 void Computing::add_fact(const std::string& key, Quantity quantity) {

@@ -38,16 +38,18 @@ struct ShearSpec {
     /// The bulk stress of body A; that of body B is bulk_A + bulk_tension. Only stresses depend on
     /// it.
     Exact bulk_A = {};
+    /// q/p, f or -f, where the whole contact slides; Q and `friction` are then not given.
+    std::optional<Exact> sliding = {};
 
     /// Q under the force `P`, and q/p where q is proportional to p; `number` gives an Exact in
     /// another type of numbers.
     template <class Number, class Force>
-    [[nodiscard]] auto force(const Number& number, const Force& /*P*/) const {
-        return number(Q);
+    [[nodiscard]] auto force(const Number& number, const Force& P) const {
+        return sliding ? number(*sliding) * P() : number(Q);
     }
     template <class Number, class Force>
     [[nodiscard]] auto ratio(const Number& number, const Force& P) const {
-        return number(Q) / P();
+        return sliding ? number(*sliding) : number(Q) / P();
     }
 };
 

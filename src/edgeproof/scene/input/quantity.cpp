@@ -157,7 +157,11 @@ struct LackIf {
     Lack what;
 };
 /// The lack of a scene of which no part slips next to one that sticks.
-Lack no_slip(const Scene& /*scene*/) {
+Lack no_slip(const Scene& scene) {
+    if (scene.slides()) {
+        return {"the whole contact slides, and nothing sticks",
+                "give Q, |Q| < f P, in place of sliding"};
+    }
     return {"there is no friction", "add friction = \"0.6\" to [shear], and Q"};
 }
 std::optional<Lack> first_of(const std::vector<LackIf>& conditions) {
@@ -192,6 +196,8 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
         {(needs == Needs::poisson || needs == Needs::reference) && !poisson,
          {"there is no Poisson's ratio", "add nu to [load]"}},
         {rubbed && !scene.slips(), no_slip(scene)},
+        {asked.quantity == Quantity::slip_displacement && asked.reference && scene.slides(),
+         no_slip(scene)},
         {(needs == Needs::friction_alone || needs == Needs::cycle) && scene.slips() &&
              scene.shear->bulk_tension.sign() != 0,
          {"there is a bulk tension", "leave bulk_tension out"}},

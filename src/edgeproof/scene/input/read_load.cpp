@@ -88,6 +88,24 @@ void read_friction(const io::TomlSection& shear, ShearSpec& spec, Scene& scene) 
     }
 }
 
+/// q = f p everywhere if body A is pulled to the right, q = -f p if to the left.
+void read_sliding(const io::TomlSection& shear, ShearSpec& spec) {
+    for (const char* const key : {"Q", "q_ratio", "path"}) {
+        shear.require(!shear.has(key), key, std::string(key) + " is given, but the contact slides",
+                      std::string("leave ") + key + " out: Q = f P follows; or leave out sliding");
+    }
+    const std::string direction = shear.text("sliding");
+    shear.require(direction == "right" || direction == "left", "sliding",
+                  "unknown direction '" + direction + "'",
+                  "write right (q = f p on body A) or left (q = -f p)");
+    shear.require(shear.has("friction"), "sliding", "sliding is given without friction",
+                  "add friction = \"0.3\"");
+    const Exact friction = contact_constant(shear, "friction");
+    require_positive(shear, "friction", friction,
+                     "give a coefficient of friction > 0, or leave [shear] out");
+    spec.sliding = direction == "right" ? friction : Exact(-friction.expr());
+}
+
 /// Bodies of different materials couple q to p, unless Dundurs' beta is 0: (1 - 2 nu)(1 + nu)/E is
 /// the same for both (J. Dundurs, J. Appl. Mech. 36, 650, 1969), decided symbolically.
 void check_materials(const io::TomlSection& shear, const ShearSpec& spec, const Scene& scene) {
@@ -127,8 +145,11 @@ Exact force_of_ratio(const io::TomlSection& shear, const Scene& scene) {
 
 [[noreturn]] void refuse_round_shear(const io::TomlSection& section, std::size_t line,
                                      const char* instead) {
-    section.reject(line, "of the shear of axisymmetric contacts only partial slip is computed",
-                   instead);
+    section.reject(
+        line,
+        "of the shear of axisymmetric contacts only partial slip and sliding without bulk "
+        "stresses are computed",
+        instead);
 }
 
 } // namespace
@@ -190,8 +211,9 @@ void check_reach(const io::TomlSection& load, const Scene& scene) {
 
 void read_shear(const io::TomlSection& shear, Scene& scene) {
     shear.allow(keys_of_section("shear"));
-    shear.require(shear.has("Q") || shear.has("q_ratio") || shear.has("bulk_tension"), shear.line(),
-                  "the shear section has no load",
+    shear.require(shear.has("Q") || shear.has("q_ratio") || shear.has("bulk_tension") ||
+                      shear.has("sliding"),
+                  shear.line(), "the shear section has no load",
                   "add Q = \"...\" or bulk_tension = \"...\", or leave [shear] out");
     const auto or_zero = [&](const char* key) {
         return shear.has(key) ? contact_constant(shear, key) : Exact();
@@ -200,7 +222,10 @@ void read_shear(const io::TomlSection& shear, Scene& scene) {
     spec.Q = shear.has("q_ratio") ? force_of_ratio(shear, scene) : or_zero("Q");
     spec.bulk_tension = or_zero("bulk_tension");
     spec.bulk_A = or_zero("bulk_A");
-    shear.require(sign_of(shear, "Q", spec.Q) != 0 ||
+    if (shear.has("sliding")) {
+        read_sliding(shear, spec);
+    }
+    shear.require(spec.sliding || sign_of(shear, "Q", spec.Q) != 0 ||
                       sign_of(shear, "bulk_tension", spec.bulk_tension) != 0,
                   shear.line(), "the shear section has no load: Q and bulk_tension are zero",
                   "give one that is not, or leave [shear] out");
@@ -221,7 +246,7 @@ void read_shear(const io::TomlSection& shear, Scene& scene) {
         refuse_round_shear(shear, shear.line(),
                            "give Q and friction without bulk stresses, or leave [shear] out");
     }
-    if (shear.has("friction")) {
+    if (shear.has("friction") && !spec.sliding) {
         read_friction(shear, spec, scene);
     }
     check_materials(shear, spec, scene);
@@ -236,6 +261,8 @@ void read_shear_of_steps(const io::TomlSection& top, Scene& scene) {
     }
     if (top.has("shear")) {
         const io::TomlSection shear = top.section("shear");
+        shear.require(!shear.has("sliding"), "sliding", "sliding is given in addition to the steps",
+                      "leave it out: P and Q of the steps determine what slips");
         shear.allow({"friction", "bulk_A"});
         ShearSpec spec;
         spec.bulk_A = shear.has("bulk_A") ? contact_constant(shear, "bulk_A") : spec.bulk_A;

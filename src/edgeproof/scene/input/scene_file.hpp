@@ -145,12 +145,14 @@ struct Scene {
 
     /// True if there is friction, so that part of the contact slips.
     [[nodiscard]] bool slips() const { return shear && shear->friction; }
-    /// True if q = (Q/P) p: P and Q grow in proportion.
+    /// True if the whole contact slides: q = f p or -f p.
+    [[nodiscard]] bool slides() const { return shear && shear->sliding; }
+    /// True if q = (Q/P) p: P and Q grow in proportion, or the whole contact slides.
     [[nodiscard]] bool proportional() const {
-        return shear && shear->path == contact::LoadingPath::together;
+        return slides() || (shear && shear->path == contact::LoadingPath::together);
     }
     [[nodiscard]] const char* shear_state() const {
-        return slips() ? "in partial slip" : "under full stick";
+        return slides() ? "in full sliding" : slips() ? "in partial slip" : "under full stick";
     }
     /// Poisson's ratio of a body, if it is given.
     [[nodiscard]] std::optional<Exact> poisson(Body body) const {

@@ -18,7 +18,7 @@ namespace {
 constexpr std::pair<std::string_view, const char*> keys_of_sections[] = {
     {"profile", "kind: geometry: m C phi alpha t flat_width R R1 R2 knots* slopes*: symmetric:"},
     {"load", "a width P delta M contact_modulus E nu E1 nu1 E2 nu2"},
-    {"shear", "Q q_ratio bulk_tension bulk_A path: friction"},
+    {"shear", "Q q_ratio bulk_tension bulk_A path: sliding: friction"},
     {"ask", "edges*: u* x* terms* tolerance process_zone quantities*: reference part* route: "
             "digits"},
     {"units", "length: force: pressure:"}};

@@ -236,6 +236,8 @@ Ball BallLevel::slip_displacement(const AskedValue& at) {
     if (certainly_positive(x - a()) || certainly_positive(-x - b())) {
         throw DomainError("the place lies outside the contact");
     }
+    require(!scene_.slides(), "the whole contact slides, so that its slip is not bounded",
+            "give places outside the contact, or a reference, for ux and uz");
     if (!scene_.slips()) {
         return {0, bits_};
     }

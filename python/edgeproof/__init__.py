@@ -49,30 +49,13 @@ from .profiles import (
     tilted_wedge,
     wedge,
 )
-from .results import (
-    Approximation,
-    Coefficients,
-    Contact,
-    Displacement,
-    Extent,
-    Greatest,
-    Point,
-    Result,
-    Rows,
-    Slip,
-    SlipTerms,
-    StickZone,
-    Stress,
-    StressTerm,
-)
+from .results import Result, Row, Rows
 from .scene import Scene, read_scene
 
 __all__ = [
-    "Agreement", "Approximation", "Audit", "BudgetError", "Case", "Cause", "Claim", "Coefficients",
-    "Comparison", "Contact", "Convention", "Design", "Displacement", "DomainError", "Error",
-    "Extent", "Greatest", "Held", "InputError", "MeshErrors", "MeshResult", "Number", "Point",
-    "Profile", "Relation", "Relations", "Result", "Rows", "Scene", "Slip", "SlipTerms", "StickZone",
-    "Stress", "StressTerm", "UndecidedError", "Value", "__version__", "check", "compare", "cone", "design",
-    "flat_and_rounded", "hertz", "piecewise", "power_law", "questions", "read_scene", "relations",
+    "Agreement", "Audit", "BudgetError", "Case", "Cause", "Claim", "Comparison", "Convention",
+    "Design", "DomainError", "Error", "Held", "InputError", "MeshErrors", "MeshResult", "Number",
+    "Profile", "Relation", "Relations", "Result", "Row", "Rows", "Scene", "UndecidedError", "Value",
+    "__version__", "check", "compare", "cone", "design", "flat_and_rounded", "hertz", "piecewise", "power_law", "questions", "read_scene", "relations",
     "sphere", "tilted_flat_and_rounded", "tilted_wedge", "verify", "wedge",
 ]

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from collections.abc import Iterable
 from fractions import Fraction
@@ -37,8 +36,7 @@ def _number(value: Value) -> tuple[float, float]:
 
 def _cells(row: Any) -> Iterable[tuple[str, Any]]:
     """Yields the names and contents of a row's cells."""
-    for field in dataclasses.fields(row):
-        name, content = field.name, getattr(row, field.name)
+    for name, content in vars(row).items():
         if name in _NUMBERS and isinstance(content, str):
             yield name, float(given(content, 20))
         elif isinstance(content, Value):
@@ -56,7 +54,7 @@ def _cells(row: Any) -> Iterable[tuple[str, Any]]:
             for approximation in content:
                 yield f"{q}local_{approximation.terms}", _number(approximation.value)[0]
                 yield f"{q}rel_{approximation.terms}", _number(approximation.relative_error)[0]
-        elif name == "terms" and not isinstance(content, int):  # of a Slip
+        elif name == "terms" and not isinstance(content, int):  # of a slip zone
             for term in content:
                 yield f"size_{term.terms}", _number(term.size)[0]
                 yield f"rel_{term.terms}", _number(term.relative_error)[0]

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import copy
-import dataclasses
 import json
 import os
 import tomllib
@@ -19,20 +18,7 @@ from ._numbers import is_many, texts
 from ._shipped import file_or_shipped
 from .errors import InputError
 from .profiles import Number, Profile
-from .results import (
-    Coefficients,
-    Contact,
-    Displacement,
-    Extent,
-    Greatest,
-    Point,
-    Result,
-    Rows,
-    Slip,
-    Stress,
-    StressTerm,
-    result_of,
-)
+from .results import Result, Row, Rows, result_of
 
 if TYPE_CHECKING:
     import matplotlib.figure
@@ -211,7 +197,7 @@ class Scene:
     def _set(self, native: _edgeproof.NativeScene) -> None:
         self._native = native
         self._facts = json.loads(native.facts())
-        self._contacts: dict[int, Contact] = {}
+        self._contacts: dict[int, Row] = {}
 
     @classmethod
     @checked
@@ -302,13 +288,13 @@ class Scene:
     # The contact.
 
     @checked
-    def contact(self, digits: int | None = None) -> Contact:
-        """Both edges, force and moment, and the tilt if it is found: a Contact of Values."""
+    def contact(self, digits: int | None = None) -> Row:
+        """Both edges, force and moment, and the tilt if it is found: a Row of Values."""
         wanted = self.digits if digits is None else digits
         if wanted not in self._contacts:
             found: Any = self._run(wanted, quantities=["contact"]).contact
-            self._contacts[wanted] = Contact(*(found.get(f.name)
-                                               for f in dataclasses.fields(Contact)))
+            self._contacts[wanted] = Row(**{name: found.get(name) for name in (
+                "a", "b", "P", "M", "alpha", "delta", "stiffness")})
         return self._contacts[wanted]
 
     @property
@@ -339,8 +325,8 @@ class Scene:
     # At points.
 
     def _points(self, u: Any, x: Any, edge: str, quantity: str, terms: Any,
-                digits: int | None) -> tuple[Any, tuple[Point, ...]]:
-        """Returns the places that are given, and a Point for each."""
+                digits: int | None) -> tuple[Any, tuple[Row, ...]]:
+        """Returns the places that are given, and a Row for each."""
         name, places = _given_places(u, x)
         every = texts(places, name)
         if not every:
@@ -419,8 +405,8 @@ class Scene:
                       digits: int | None = None, *, x: Places = None) -> Any:
         """p at one place, and the sums of the first `terms` terms with their errors.
 
-        The result is a Point: .p, and .p_local, an Approximation for each number of terms. Several
-        places give Rows of Points; for arrays of float see local_pressures(), relative_errors().
+        The result is a Row: .p, and .p_local, a Row for each number of terms. Several places
+        give Rows; for arrays of float see local_pressures(), relative_errors().
         """
         places, points = self._points(u, x, edge, "pressure", terms, digits)
         return Rows(points) if is_many(places) else points[0]
@@ -456,10 +442,10 @@ class Scene:
     @checked
     def stress(self, x: Places = None, z: Places = 0, body: str = "A", digits: int | None = None, *,
                u: Places = None, edge: str = "right") -> Any:
-        """The stresses at the depth z into a body below the place x: a Stress, tension positive.
+        """The stresses at the depth z into a body below the place x: a Row, tension positive.
 
         x, z  lengths; x from the origin. Lists, or arrays, of the same length (or one of them a
-              number) give Rows of Stress
+              number) give Rows
         body  "A", on which Q acts, or "B"
         u     in place of x: distances inwards from the edge, if that is an exact number
 
@@ -492,26 +478,27 @@ class Scene:
 
     @checked
     def greatest(self, stress: str = "mises", body: str = "A",
-                 digits: int | None = None) -> Greatest:
+                 digits: int | None = None) -> Row:
         """The greatest "mises" or "tau_max" in a body, or "sxx" on its surface, and its place.
 
         Raises InputError for a stress that is infinite or has no greatest value.
         """
         found = json.loads(self._native.greatest(stress, _is_B(body), digits or self.digits))
-        return Greatest(stress, *(value_of_state(found[name]) for name in ("value", "x", "z")),
-                        tuple(found["notes"]))
+        return Row(stress=stress, **{k: value_of_state(found[k]) for k in ("value", "x", "z")},
+                   notes=tuple(found["notes"]))
 
     @checked
     def stress_coefficients(self, angle: Number, terms: int = 3, edge: str = "right",
-                            body: str = "A", digits: int | None = None) -> Rows[StressTerm]:
-        """The series of the stresses near an edge: Rows of StressTerm, of plane contacts.
+                            body: str = "A", digits: int | None = None) -> Rows:
+        """The series of the stresses near an edge of a plane contact: Rows.
 
         angle  degrees, between the ray into the body and the surface of the contact: 0 to 180
         """
         asked: Any = [("edges", [edge]), ("terms", [str(terms)]),
                       ("digits", str(digits or self.digits))]
-        return Rows(StressTerm(of, halves, *map(value_of_state, states)) for of, halves, states in
-                    json.loads(self._native.stress_terms(asked, cast(str, angle), _is_B(body))))
+        terms_of = json.loads(self._native.stress_terms(asked, cast(str, angle), _is_B(body)))
+        return Rows(Row(edge=of, halves=halves, **dict(zip(
+            ("sxx", "szz", "sxz"), map(value_of_state, states)))) for of, halves, states in terms_of)
 
     @checked
     def displacement(self, x: Places = None, digits: int | None = None, *, u: Places = None,
@@ -519,8 +506,7 @@ class Scene:
         """The gap between the surfaces at x outside the contact, or the slip inside.
 
         x is a length from the origin, or a formula in a and b ("a + 1/10"); in place of it, u is a
-        distance inwards from an edge. The result is a Displacement; several places give Rows of
-        them. Of an axisymmetric contact the slip is the mean over a circle (docs/axisymmetric.md).
+        distance inwards from an edge. The result is a Row; several places give Rows. Of an axisymmetric contact the slip is the mean over a circle (docs/axisymmetric.md).
         With a reference, a place x whose displacement is 0, the rows have the displacements of the
         surface of a body, "A" (on which Q acts) or "B", too. Raises InputError for curved slopes.
         """
@@ -534,7 +520,7 @@ class Scene:
                      "reference": reference}
         found = self._run(digits, edges=["right"], x=every, **asked).displacements
         if x_of is not None:
-            found = Rows(dataclasses.replace(row, x=x_of(i)) for i, row in enumerate(found))
+            found = Rows(Row(**{**vars(row), "x": x_of(i)}) for i, row in enumerate(found))
         return found if is_many(places) else found[0]
 
     # At points, in binary64.
@@ -605,7 +591,7 @@ class Scene:
 
     # At edges.
 
-    def _expansion(self, terms: int, edge: str, digits: int | None) -> Coefficients:
+    def _expansion(self, terms: int, edge: str, digits: int | None) -> Row:
         return self._run(digits, edges=[edge], quantities=["coefficients"],
                          terms=[terms]).coefficients[0]
 
@@ -620,7 +606,7 @@ class Scene:
 
     @checked
     def shear_coefficients(self, terms: int = 3, edge: str = "right",
-                           digits: int | None = None) -> Coefficients:
+                           digits: int | None = None) -> Row:
         """The coefficients .s of q at an edge, from the power u^(.s_half_powers/2) on."""
         if not self.has_shear:
             raise InputError("the scene has no shear", "give Q or bulk_tension")
@@ -629,7 +615,7 @@ class Scene:
     @checked
     def extent(self, terms: int = 1, tolerance: Number = "1%", edge: str = "right",
                part: tuple[Number, Number] = (0, 1), process_zone: Number | None = None,
-               digits: int | None = None) -> Extent:
+               digits: int | None = None) -> Row:
         """The extent from an edge over which the first `terms` terms are within a tolerance of p.
 
         tolerance     relative: "1%", "0.01", Fraction(1, 100)
@@ -650,8 +636,8 @@ class Scene:
 
     @checked
     def slip(self, edge: str = "right", terms: int | Sequence[int] = (1, 2, 3),
-             tolerance: Number | None = None, digits: int | None = None) -> Slip:
-        """The slip zone at an edge, its approximations by n terms, and the stick zone: a Slip.
+             tolerance: Number | None = None, digits: int | None = None) -> Row:
+        """The slip zone at an edge, its approximations by n terms, and the stick zone: a Row.
 
         terms      numbers of terms of the series in |Q|/(friction P)
         tolerance  relative ("1%"): also find the load ratio up to which n terms are within it

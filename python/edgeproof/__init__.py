@@ -31,10 +31,10 @@ except ImportError as error:
     raise ImportError(explanation(error)) from None
 from . import _value  # noqa: F401: completes Value
 from .audit import Audit, Claim, verify
-from .comparison import Comparison, Cause, Held, MeshErrors, MeshResult, compare
-from .conformance import Agreement, Case, Convention, check, questions
+from .comparison import Comparison, compare
+from .conformance import Agreement, check, questions
 from .errors import BudgetError, DomainError, Error, InputError, UndecidedError
-from .multipliers import Relation, Relations, relations
+from .multipliers import Relations, relations
 from .optimum import Design, design
 from .profiles import (
     Number,
@@ -53,9 +53,8 @@ from .results import Result, Row, Rows
 from .scene import Scene, read_scene
 
 __all__ = [
-    "Agreement", "Audit", "BudgetError", "Case", "Cause", "Claim", "Comparison", "Convention",
-    "Design", "DomainError", "Error", "Held", "InputError", "MeshErrors", "MeshResult", "Number",
-    "Profile", "Relation", "Relations", "Result", "Row", "Rows", "Scene", "UndecidedError", "Value",
-    "__version__", "check", "compare", "cone", "design", "flat_and_rounded", "hertz", "piecewise", "power_law", "questions", "read_scene", "relations",
+    "Agreement", "Audit", "BudgetError", "Claim", "Comparison", "Design", "DomainError", "Error",
+    "InputError", "Number", "Profile", "Relations", "Result", "Row", "Rows", "Scene",
+    "UndecidedError", "Value", "__version__", "check", "compare", "cone", "design", "flat_and_rounded", "hertz", "piecewise", "power_law", "questions", "read_scene", "relations",
     "sphere", "tilted_flat_and_rounded", "tilted_wedge", "verify", "wedge",
 ]

@@ -13,14 +13,15 @@ from typing import Any
 from . import _edgeproof
 from ._arguments import checked
 from ._shipped import file_or_shipped
+from .results import Row
 
 __all__ = ["Audit", "Claim", "verify"]
 
 
-@dataclasses.dataclass(frozen=True)
-class Claim:
-    """The result for one claim.
+class Claim(Row):
+    """The result for one claim; to_dict() is its entry in verdicts.json.
 
+    id        of the ledger
     verdict   "proved", "confirmed", "imprecise", "refuted", "underspecified", "undecided" or
               "definition"
     printed   what is printed, TeX
@@ -33,26 +34,10 @@ class Claim:
     evidence  what the verdict rests on
     """
 
-    id: str
-    verdict: str
-    printed: str
-    correct: str | None
-    quoted: str | None
-    computed: str | None
-    note: str
-    rests_on: str
-    certificate: str | None
-    fields_sha256: str
-    evidence: dict[str, Any]
-
     @property
     def holds(self) -> bool:
         """True if the claim is right as printed: proved, confirmed, or a definition."""
         return self.verdict in ("proved", "confirmed", "definition")
-
-    def to_dict(self) -> dict[str, Any]:
-        """The claim's entry in verdicts.json."""
-        return dataclasses.asdict(self)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -70,6 +55,10 @@ class Audit:
     claims: tuple[Claim, ...]
     summary: str
     differences: tuple[str, ...] | None
+
+    def __str__(self) -> str:
+        lines = [f"{c.id}: {c.verdict}" + (f"; {c.note}" if c.note else "") for c in self.claims]
+        return "\n".join([*lines, self.summary])
 
     def __len__(self) -> int:
         return len(self.claims)

@@ -18,116 +18,15 @@ from ._arguments import checked, mapping, read_as, READERS
 from ._numbers import exact_text, text
 from .errors import InputError
 from .profiles import Number
+from .results import Row, row_of
 from .scene import Scene, read_scene
 
 if TYPE_CHECKING:
     import numpy.typing
 
-__all__ = ["Cause", "Comparison", "Held", "MeshErrors", "MeshResult", "compare"]
+__all__ = ["Comparison", "compare"]
 
 OneResult = Union[str, "os.PathLike[str]", "tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike]"]
-
-
-@dataclasses.dataclass(frozen=True)
-class Held:
-    """A quantity of the data and its exact value.
-
-    data               an estimate, in the scene's units; None if the data do not determine it
-    exact              the binary64 nearest to the exact value
-    of_exact_pressure  the result of the same rule for the exact pressure at the same nodes; its
-                       difference from `exact` is due to the width of the mesh
-    spread             of a fitted coefficient: an estimate of the error of the fit
-    """
-
-    data: float | None
-    exact: float | None
-    of_exact_pressure: float | None = None
-    spread: float | None = None
-
-
-@dataclasses.dataclass(frozen=True)
-class MeshErrors:
-    """The errors of p over some nodes; errors that the written digits explain are not counted.
-
-    peak          the largest |error|, relative to the exact peak (or the mean p, with a corner)
-    local         the largest |error/p|
-    l2            the L2 norm of the error, relative to that of p
-    median_local  the median of |error/p|
-    digits        right digits, from the largest |error/p|
-    edge, from_, to  for nodes at an edge: the range of u/(a + b)
-    x, corner     for nodes near a knot
-    """
-
-    nodes: int
-    peak: float
-    local: float
-    l2: float
-    median_local: float
-    digits: float
-    edge: str | None = None
-    from_: float | None = None
-    to: float | None = None
-    x: float | None = None
-    corner: bool | None = None
-
-
-@dataclasses.dataclass(frozen=True)
-class Cause:
-    """A mistake that would explain the difference; none is proved.
-
-    name            a stable name: "e-for-e-star", "factor-2", ...
-    factor          the median of data over exact pressure
-    scatter         the difference that remains, relative to the largest pressure
-    equally_likely  names of other mistakes after which as little remains
-    """
-
-    name: str
-    what: str
-    factor: float
-    scatter: float
-    equally_likely: tuple[str, ...]
-
-
-@dataclasses.dataclass(frozen=True)
-class MeshResult:
-    """A result compared with the scene. Numbers are binary64, in the scene's units.
-
-    inside, outside  the number of nodes inside and outside the exact contact
-    sign, origin     how the data were read: -1 if compression is negative; the x of the data at
-                     the scene's origin
-    findings         how the file was read, in sentences
-    a, b, P, p_max   edges, force, the largest pressure: Held
-    c0, c1, c0_left, c1_left  coefficients of u^(1/2), u^(3/2) at both edges: Held
-    element          widths of the elements at the "right" and "left" edge, and the "mean" one
-    errors           of nodes outside the edge zones; all_errors: of all nodes
-    distances, knots errors by decades of the distance from an edge, and near knots of the profile
-    causes           the mistakes that would explain the difference, the likeliest first
-    failures         the reasons why it does not pass, in sentences
-    """
-
-    file: str
-    passed: bool
-    nodes: int
-    inside: int
-    outside: int
-    sign: int
-    origin: float
-    findings: tuple[str, ...]
-    a: Held
-    b: Held
-    P: Held
-    p_max: Held
-    c0: Held
-    c1: Held
-    c0_left: Held
-    c1_left: Held
-    element: dict[str, float]
-    errors: MeshErrors
-    all_errors: MeshErrors
-    distances: tuple[MeshErrors, ...]
-    knots: tuple[MeshErrors, ...]
-    causes: tuple[Cause, ...]
-    failures: tuple[str, ...]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -139,13 +38,34 @@ class Comparison:
             there is no slope
     routes  for each quantity, how the exact value was computed
     text    the report that `edgeproof compare` prints
+    files   a Row for each result, in binary64 and the scene's units:
+
+    inside, outside  the number of nodes inside and outside the exact contact
+    sign, origin     how the data were read: -1 if compression is negative; the x of the data at
+                     the scene's origin
+    findings         how the file was read, in sentences
+    a, b, P, p_max, c0, c1, c0_left, c1_left  edges, force, the largest pressure, coefficients of
+                     u^(1/2) and u^(3/2): .data, an estimate (None if the data do not determine it),
+                     .exact, .of_exact_pressure, the result of the same rule for the exact pressure
+                     at the same nodes, and .spread, an estimate of the error of a fit
+    element          widths of the elements at the "right" and "left" edge, and the "mean" one
+    errors           of p at nodes outside the edge zones; all_errors: at all nodes. .peak, the
+                     largest |error|, relative to the exact peak (or the mean p, with a corner),
+                     .local, the largest |error/p|, .l2, the L2 norm relative to that of p,
+                     .median_local, .digits, the right digits, .nodes
+    distances, knots errors by decades of u/(a + b) (.edge, .from_, .to), and near knots (.x, .corner)
+    causes           mistakes that would explain the difference, the likeliest first; none is
+                     proved: .name ("e-for-e-star"), .what, .factor, the median of data over exact
+                     pressure, .scatter, what remains, relative to the largest pressure,
+                     .equally_likely, names of others after which as little remains
+    failures         the reasons why it does not pass, in sentences
     """
 
     passed: bool
     tolerance: str
     units: str | None
     routes: dict[str, str]
-    files: tuple[MeshResult, ...]
+    files: tuple[Row, ...]
     orders: dict[str, float | None]
     text: str = dataclasses.field(repr=False)
     _data: dict[str, Any] = dataclasses.field(repr=False, compare=False)
@@ -156,7 +76,7 @@ class Comparison:
     def __iter__(self) -> Any:
         return iter(self.files)
 
-    def __getitem__(self, index: int) -> MeshResult:
+    def __getitem__(self, index: int) -> Row:
         return self.files[index]
 
     def __str__(self) -> str:
@@ -167,25 +87,15 @@ class Comparison:
         return copy.deepcopy(self._data)
 
 
-def _errors_of(d: dict[str, Any]) -> MeshErrors:
-    data = dict(d)
-    if "from" in data:
-        data["from_"] = data.pop("from")
-    return MeshErrors(**data)
+def _result_of(d: dict[str, Any]) -> Row:
+    renamed = {"passes": "passed", "errors_of_all_nodes": "all_errors", "from": "from_"}
 
+    def with_names(data: Any) -> Any:
+        if isinstance(data, dict):
+            return {renamed.get(key, key): with_names(item) for key, item in data.items()}
+        return list(map(with_names, data)) if isinstance(data, list) else data
 
-def _result_of(d: dict[str, Any]) -> MeshResult:
-    held = {k: Held(**d[k]) for k in ("a", "b", "P", "p_max", "c0", "c1", "c0_left", "c1_left")}
-    return MeshResult(
-        file=d["file"], passed=d["passes"], nodes=d["nodes"], inside=d["inside"],
-        outside=d["outside"], sign=d["sign"], origin=d["origin"], findings=tuple(d["findings"]),
-        element=d["element"], errors=_errors_of(d["errors"]),
-        all_errors=_errors_of(d["errors_of_all_nodes"]),
-        distances=tuple(map(_errors_of, d["distances"])),
-        knots=tuple(map(_errors_of, d["knots"])),
-        causes=tuple(Cause(c["name"], c["what"], c["factor"], c["scatter"],
-                           tuple(c["equally_likely"])) for c in d["causes"]),
-        failures=tuple(d["failures"]), **held)
+    return row_of(with_names(d))  # type: ignore[no-any-return]
 
 
 def _is_file(result: Any) -> bool:

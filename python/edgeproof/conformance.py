@@ -17,48 +17,9 @@ from ._arguments import checked, read_as, READERS
 from ._numbers import exact_text
 from ._shipped import file_or_shipped
 from .errors import InputError
+from .results import Row, plain, row_of
 
-__all__ = ["Agreement", "Case", "Convention", "check", "questions"]
-
-
-@dataclasses.dataclass(frozen=True)
-class Case:
-    """One answer compared with the exact value.
-
-    value      the answer's text; state: "number", "missing", "nan", "infinite", "garbage", "died"
-    reference  the exact value, rounded
-    digits     right digits, -log10|value/exact - 1|; ulps: the error in binary64 ulps
-    explained  True if the rounding of the inputs explains the error
-    """
-
-    id: str
-    quantity: str
-    regime: str
-    value: str
-    state: str
-    reference: str | None
-    digits: float
-    ulps: float
-    relative: float
-    passed: bool
-    explained: bool
-    no_reference: str | None
-
-
-@dataclasses.dataclass(frozen=True)
-class Convention:
-    """Another convention that would explain answers: the quantities, the relation, and a hint.
-
-    also  other relations that explain as much: the answers do not distinguish them
-    """
-
-    of: str
-    relation: str
-    digits: float
-    rows: int
-    failing: int
-    hint: str
-    also: tuple[str, ...] = ()
+__all__ = ["Agreement", "check", "questions"]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -68,35 +29,41 @@ class Agreement:
     len() and iteration apply to the cases; print() shows the report.
 
     passed       True if there is no fault, nothing is missing, and every answer meets the target
+    cases        for each answer id, quantity, regime, value (its text), state ("number", "missing",
+                 "nan", "infinite", "garbage", "died"), reference (the exact value, rounded), digits
+                 (right ones, -log10|value/exact - 1|), ulps (of binary64), relative, passed,
+                 explained (the rounding of the inputs explains the error), no_reference
     faults       errors of the answers as a whole, in sentences
-    conventions  other conventions that explain failures
+    conventions  other conventions that would explain answers: of (quantities), relation, digits,
+                 rows, failing, hint, also (relations that explain as much)
     text         the report that `edgeproof check` prints
     """
 
     passed: bool
-    cases: tuple[Case, ...]
+    cases: tuple[Row, ...]
     faults: tuple[str, ...]
-    conventions: tuple[Convention, ...]
+    conventions: tuple[Row, ...]
     estimates: int
     text: str
 
     def __len__(self) -> int:
         return len(self.cases)
 
-    def __iter__(self) -> Iterator[Case]:
+    def __iter__(self) -> Iterator[Row]:
         return iter(self.cases)
 
     def __str__(self) -> str:
         return self.text
 
     @property
-    def failures(self) -> tuple[Case, ...]:
+    def failures(self) -> tuple[Row, ...]:
         """The answers that are not within the target."""
         return tuple(case for case in self.cases if not case.passed)
 
     def to_dict(self) -> dict[str, Any]:
         """The same as str, int, float, bool, list, dict and None."""
-        return dataclasses.asdict(self)
+        result: dict[str, Any] = plain(vars(self))
+        return result
 
 
 @checked
@@ -186,14 +153,6 @@ def check(answers: Answers | None = None, *,
                "conditioned": "yes" if conditioned else None, "threads": threads}
     found = json.loads(_edgeproof.check(
         progress, {key: str(value) for key, value in options.items() if value is not None}))
-    for case in found["cases"]:
-        case.update((key, float(case[key])) for key in ("digits", "ulps", "relative"))
-    return Agreement(
-        passed=found["passed"],
-        cases=tuple(Case(**case) for case in found["cases"]),
-        faults=tuple(found["faults"]),
-        conventions=tuple(Convention(**{**c, "digits": float(c["digits"]), "also": tuple(c["also"])})
-                          for c in found["conventions"]),
-        estimates=found["estimates"],
-        text=found["text"],
-    )
+    for row in (*found["cases"], *found["conventions"]):
+        row.update((key, float(row[key])) for key in ("digits", "ulps", "relative") if key in row)
+    return Agreement(**vars(row_of(found)))

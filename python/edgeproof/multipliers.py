@@ -12,27 +12,17 @@ from typing import Any
 from . import _apart, _edgeproof
 from ._arguments import checked
 from .errors import InputError
+from .results import Row, row_of
 
-__all__ = ["Relation", "Relations", "relations"]
-
-
-@dataclasses.dataclass(frozen=True)
-class Relation:
-    """A polynomial in the quantities that vanishes along every profile, proved symbolically.
-
-    degree    its total degree
-    relation  an equation such as "b1*left.c0 - right.c0 = 0"
-    """
-
-    degree: int
-    relation: str
+__all__ = ["Relations", "relations"]
 
 
 @dataclasses.dataclass(frozen=True)
 class Relations:
     """Relations between quantities. len(), iteration, relations[0].
 
-    relations  sorted by degree; none follows from those before it by division by leading terms
+    relations  Rows of degree and relation, an equation such as "b1*left.c0 - right.c0 = 0", proved
+               symbolically; sorted by degree; none follows from those before it by division by leading terms
     complete   True: every relation up to `degree` is a sum of multiples of these (without any,
                there is no relation), proved by the rank of exact samples; False: a candidate was
                not proved
@@ -42,7 +32,7 @@ class Relations:
 
     quantities: tuple[str, ...]
     degree: int
-    relations: tuple[Relation, ...]
+    relations: tuple[Row, ...]
     complete: bool
     monomials: int
     notes: tuple[str, ...] = dataclasses.field(repr=False)
@@ -51,11 +41,14 @@ class Relations:
     def __len__(self) -> int:
         return len(self.relations)
 
-    def __iter__(self) -> Iterator[Relation]:
+    def __iter__(self) -> Iterator[Row]:
         return iter(self.relations)
 
-    def __getitem__(self, index: int) -> Relation:
+    def __getitem__(self, index: int) -> Row:
         return self.relations[index]
+
+    def __str__(self) -> str:
+        return "\n".join([*map(str, self.relations), *self.notes])
 
     def to_dict(self) -> dict[str, Any]:
         """The content of `edgeproof relations --format json`."""
@@ -86,6 +79,6 @@ def relations(quantities: Sequence[str], degree: int = 4, *, symmetric: bool = F
              else _edgeproof.relations(*arguments))
     data = json.loads(found)
     return Relations(quantities=tuple(quantities), degree=int(data["degree"]),
-                     relations=tuple(Relation(**row) for row in data["rows"]),
+                     relations=row_of(data["rows"]),
                      complete=data["complete"] == "yes", monomials=int(data["monomials"]),
                      notes=tuple(data["notes"]), _data=data)

@@ -15,6 +15,7 @@ from ._arguments import checked
 from ._edgeproof import Value, value_of_state
 from ._shipped import file_or_shipped
 from .profiles import Number
+from .results import Row
 
 __all__ = ["Design", "design"]
 
@@ -66,6 +67,10 @@ class Design:
     def value(self) -> Value:
         """The best value of the parameter."""
         return self.values[self.parameter]
+
+    def __str__(self) -> str:
+        return str(Row(**{self.parameter: self.value}, reach=self.reach, gap=self.gap,
+                       best=self.best))
 
     def to_dict(self) -> dict[str, Any]:
         """The content of `edgeproof design --format json`."""

@@ -89,6 +89,9 @@ class Row:
     def __getattr__(self, name: str) -> Any:
         raise AttributeError(f"this row has no {name}; it has {', '.join(vars(self))}")
 
+    def __getitem__(self, name: str) -> Any:
+        return vars(self)[name]
+
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError("a result is not changed")
 
@@ -104,6 +107,13 @@ class Row:
     def to_dict(self) -> dict[str, Any]:
         """The same as a dict of str, int, bool, list, dict and None, to any depth."""
         return {name: plain(content) for name, content in vars(self).items()}
+
+
+def row_of(data: Any) -> Any:
+    """Makes rows of the objects of JSON, and tuples of its lists, to any depth."""
+    if isinstance(data, dict):
+        return Row(**{key: row_of(item) for key, item in data.items()})
+    return tuple(map(row_of, data)) if isinstance(data, list) else data
 
 
 class Rows(tuple[Row, ...]):

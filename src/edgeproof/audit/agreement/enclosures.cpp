@@ -21,6 +21,22 @@ constexpr unsigned screening_digits = 12;     // at the other samples
 constexpr unsigned spare_digits = 2;          // added to the aim of integrals
 constexpr double every_digit = 1e6;           // for numbers that are exactly equal
 constexpr unsigned condition_digits = 15;     // for `where`
+constexpr long most_spread = 50'000;          // bits
+constexpr long most_spread_of_integrals = 1500;
+
+/// Returns the last term of a sum of terms; of an approximation a power as small as it.
+std::optional<Expr> last_term(const Expr& e) {
+    if (e.kind() == Expr::Kind::sum) {
+        return substitute(e.arg(0), e.arg(1).name(), e.arg(3));
+    }
+    const auto name = [](const char* text) { return Expr::symbol(text); };
+    if (e.name() == "right_local") {
+        return pow((name("a") - e.arg(1)) / name("L"), e.arg(0));
+    }
+    return e.name() == "left_local"
+               ? std::optional(pow((e.arg(1) + name("b")) / name("L"), e.arg(0)))
+               : std::nullopt;
+}
 
 /// A printed formula and the exact one, at any sample.
 class PairAtSamples {
@@ -39,8 +55,31 @@ public:
         }
         return pair;
     }
+    /// The pair with so many bits that the smallest parts of the formulas count; nothing if they
+    /// count in the first balls.
+    [[nodiscard]] std::optional<Pair> closer(std::size_t sample) const {
+        const EnclosedSample& first = with_.samples.enclosed(sample, 2 * needed_, aim());
+        const long spread =
+            std::max(spread_of_parts(printed_, first), spread_of_parts(with_.exact, first));
+        if (spread <= needed_) {
+            return {};
+        }
+        Pair pair;
+        pair.sample = sample;
+        const long bits = 2 * (needed_ + spread);
+        const auto digits = static_cast<unsigned>(
+            integrals_ ? std::min(spread, most_spread_of_integrals) * 3 / 10 : 0);
+        pair.problem = look_closer(
+            [&](long enough) {
+                enclose(enough, aim() + digits, pair);
+                return true;
+            },
+            {bits, bits});
+        return pair;
+    }
 
 private:
+    [[nodiscard]] unsigned aim() const { return digits_ + (integrals_ ? spare_digits : 0); }
     /// Increases the bits until the balls prove all digits; or that the formulas differ, and
     /// whether by more than a confirmation allows. The width of an integral's ball depends on the
     /// digits it aims at: the bits are doubled if there is no enclosure, and the digits are
@@ -48,18 +87,18 @@ private:
     void enclose(Pair& pair) const {
         const double needed = AuditContext::digits_needed(digits_);
         const Real allowed = pow(Real(10), -needed);
-        const unsigned aim = digits_ + (integrals_ ? spare_digits : 0);
         const auto decided = [&](long bits) {
-            enclose(bits, aim, pair);
+            enclose(bits, aim(), pair);
             return integrals_ || pair.digits() >= digits_ ||
                    (pair.apart() && (pair.agreement(needed) || pair.proved_difference() > allowed));
         };
         pair.problem = look_closer(decided, {2 * needed_, (integrals_ ? 4 : 8) * needed_});
         const double proved = pair.digits();
         if (integrals_ && pair.printed && !pair.apart() && proved < needed) {
-            const auto missing = static_cast<unsigned>(std::clamp(aim - proved, 0., 1. * digits_));
+            const auto missing =
+                static_cast<unsigned>(std::clamp(aim() - proved, 0., 1. * digits_));
             try {
-                enclose(4 * needed_, aim + missing, pair);
+                enclose(4 * needed_, aim() + missing, pair);
             } catch (const BudgetError& error) {
                 pair.problem = error.what();
             }
@@ -108,6 +147,32 @@ std::pair<std::vector<std::size_t>, std::size_t> order_of(std::size_t samples, b
 }
 
 } // namespace
+
+long spread_of_parts(const Expr& e, const EnclosedSample& at) {
+    long least = 0;
+    long most = 0;
+    static_cast<void>(any_part(e, [&](const Expr& part) {
+        if (const Rational* q = part.rational()) { // 1 + 1e-300 has a denominator of 300 digits
+            least = std::min(least, -static_cast<long>(msb(denominator(*q))));
+            most = std::max(most, *q == 0 ? 0L : static_cast<long>(msb(abs(numerator(*q)))));
+        }
+        const Expr there = last_term(part).value_or(part);
+        if (there.is_binder() || holds_function(there)) {
+            return false;
+        }
+        try {
+            const Ball x = at.evaluate(there);
+            if (x.is_finite() && !contains_zero(x)) {
+                const long size = arf_abs_bound_lt_2exp_si(arb_midref(x.data()));
+                least = std::min(least, size);
+                most = std::max(most, size);
+            }
+        } catch (const Error&) { // it has the variable of an integral, or no value
+        }
+        return false;
+    }));
+    return std::min(most - least, most_spread);
+}
 
 bool is_admitted(const Claim& claim, const Sample& sample) {
     if (!claim.has("where")) {
@@ -183,11 +248,11 @@ double Pair::digits() const {
 }
 
 Agreement::Agreement(const Expr& printed, const SampledComparison& with)
-    : samples_(with.samples), digits_(with.digits) {
-    const PrecisionScope scope(digits_ + 20);
+    : printed_(printed), with_(with) {
+    const PrecisionScope scope(with_.digits + 20);
     const PairAtSamples at(printed, with);
-    const auto [order, first] = order_of(samples_.all().size(), at.have_integrals());
-    const double needed = AuditContext::digits_needed(digits_);
+    const auto [order, first] = order_of(with_.samples.all().size(), at.have_integrals());
+    const double needed = AuditContext::digits_needed(with_.digits);
     SampledComparison few = with;
     few.digits = screening_digits;
     const PairAtSamples screening(printed, few);
@@ -239,12 +304,12 @@ std::string verdict_text(const ClaimResult& result) {
 }
 
 Evidence Agreement::evidence(const Pair& pair) const {
-    return pair_evidence(full_text(samples_.all()[pair.sample]), "printed", *pair.printed, "exact",
-                         *pair.exact, digits_);
+    return pair_evidence(full_text(with_.samples.all()[pair.sample]), "printed", *pair.printed,
+                         "exact", *pair.exact, with_.digits);
 }
 
 Decision Agreement::decide(Outcome& outcome) const {
-    const double needed = AuditContext::digits_needed(digits_);
+    const double needed = AuditContext::digits_needed(with_.digits);
     const auto refuted = std::ranges::find_if(
         pairs_, [&](const Pair& pair) { return pair.refutation(needed).has_value(); });
     if (refuted != pairs_.end()) {
@@ -266,7 +331,7 @@ Decision Agreement::decide(Outcome& outcome) const {
         if (!all) {
             outcome.note = "the enclosures prove " + digits_text(pair.digits()) + " of " +
                            digits_text(needed) + " digits at " +
-                           full_text(samples_.all()[pair.sample]);
+                           full_text(with_.samples.all()[pair.sample]);
             outcome.evidence["enclosures"] = evidence(pair);
             return {};
         }
@@ -275,9 +340,14 @@ Decision Agreement::decide(Outcome& outcome) const {
             differing = &pair;
         }
     }
+    std::optional<Pair> closer;
+    for (std::size_t k = 0; k < pairs_.size() && differing == nullptr && !with_.identical; ++k) {
+        closer = PairAtSamples(printed_, with_).closer(pairs_[k].sample);
+        differing = closer && closer->apart() ? &*closer : nullptr;
+    }
     if (!pairs_.empty()) {
         // The digits are rounded down to a tenth.
-        const double tenths = std::floor(std::min(worst().digits(), 1.0 * digits_) * 10) / 10;
+        const double tenths = std::floor(std::min(worst().digits(), 1.0 * with_.digits) * 10) / 10;
         Evidence& enclosures = outcome.evidence["enclosures"] = evidence(worst());
         enclosures["digits_proved"] = digits_text(tenths);
         enclosures["samples"] = pairs_.size();
@@ -287,7 +357,7 @@ Decision Agreement::decide(Outcome& outcome) const {
     if (differing != nullptr) {
         outcome.note += "; not identical: differs by " +
                         to_decimal(differing->proved_difference(), 2) + " of the value, " +
-                        full_text(samples_.all()[differing->sample]);
+                        full_text(with_.samples.all()[differing->sample]);
     }
     return decision(std::nullopt, all);
 }
@@ -303,7 +373,7 @@ std::string Agreement::without_value() const {
         return "has no value as printed: " + why;
     }
     const bool others_agree = std::ranges::all_of(pairs_, [&](const Pair& pair) {
-        return pair.no_value || pair.agreement(AuditContext::digits_needed(digits_));
+        return pair.no_value || pair.agreement(AuditContext::digits_needed(with_.digits));
     });
     return fmt::format("has no value as printed at {} of {} samples: {}; {} at the others", count,
                        pairs_.size(), why, others_agree ? "agrees" : "not decided");

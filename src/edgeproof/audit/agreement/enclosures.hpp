@@ -68,6 +68,7 @@ struct SampledComparison {
     Expr exact;
     std::optional<Expr> scale;
     unsigned digits = 0;
+    bool identical = false; ///< proved in symbols: no difference is looked for
 };
 
 /// A printed formula and the exact one in balls at one sample.
@@ -105,7 +106,9 @@ public:
     [[nodiscard]] std::size_t screened() const noexcept { return screened_; }
     /// Confirmed if the balls prove D - 5 digits at every pair; refuted if they prove that the
     /// formulas differ at one. The note has the number of samples enclosed, and the greatest
-    /// difference that is proved; or why the balls do not decide. Adds the evidence `enclosures`.
+    /// difference that is proved; or why the balls do not decide. If parts of the formulas are too
+    /// small for these balls, such as 1e-300, balls of more bits look for a difference. Adds the
+    /// evidence `enclosures`.
     [[nodiscard]] Decision decide(Outcome& outcome) const;
     /// The same. Underspecified: the printed formula has no value at some sample, and differs at
     /// none. Only for a printed formula whose decimals are exact.
@@ -114,11 +117,16 @@ public:
 private:
     [[nodiscard]] std::string without_value() const;
     [[nodiscard]] Evidence evidence(const Pair& pair) const;
-    const ClaimSamples& samples_;
-    unsigned digits_;
+    Expr printed_;
+    SampledComparison with_;
     std::vector<Pair> pairs_;
     std::size_t screened_ = 0;
 };
+
+/// Returns the number of bits between the least and the greatest of 1 and the parts of a formula
+/// without functions of the contact: of constants such as 1e-300 or exp(-700), of products and
+/// powers such as u^9, and of last terms; at most 50,000.
+[[nodiscard]] long spread_of_parts(const Expr& e, const EnclosedSample& at);
 
 /// True if a formula that the program made is proved to differ at one of these samples, by balls of
 /// twice the digits: it is then no correction, however well it agrees.

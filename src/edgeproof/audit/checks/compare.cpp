@@ -137,10 +137,11 @@ std::function<bool(const Expr&)> screening(const Claim& claim, const AuditContex
 /// is the reference for their difference.
 class FormulaComparison {
 public:
-    FormulaComparison(const Claim& claim, const AuditContext& context)
+    /// `identical`: the formulas are proved to be equal in symbols.
+    FormulaComparison(const Claim& claim, const AuditContext& context, bool identical)
         : claim_(claim), printed_(printed_formula(claim)), exact_(claim.formula("of")),
           scale_(claim.has("scale") ? std::optional(claim.formula("scale")) : std::nullopt),
-          digits_(context.digits()), samples_(claim, context),
+          digits_(context.digits()), identical_(identical), samples_(claim, context),
           agreement_(claim.formula("says"), with()) {}
 
     [[nodiscard]] std::size_t samples() const { return samples_.all().size(); }
@@ -191,7 +192,9 @@ public:
     }
 
 private:
-    [[nodiscard]] SampledComparison with() const { return {samples_, exact_, scale_, digits_}; }
+    [[nodiscard]] SampledComparison with() const {
+        return {samples_, exact_, scale_, digits_, identical_};
+    }
     void report(Evidence& evidence) const {
         evidence.update({{"samples", samples()}, {"scenes", samples_.scenes()}});
         if (samples_.left_out() > 0) {
@@ -320,6 +323,7 @@ private:
     Expr exact_;
     std::optional<Expr> scale_;
     unsigned digits_;
+    bool identical_;
     ClaimSamples samples_;
     Agreement agreement_; ///< of the formula as it is printed
 };
@@ -357,7 +361,7 @@ Outcome check_compare(const Claim& claim, const AuditContext& context) {
             proved = false; // without algebra
         }
     }
-    const FormulaComparison comparison(claim, context);
+    const FormulaComparison comparison(claim, context, proved);
     Outcome outcome;
     if (comparison.samples() == 0) {
         outcome.note = "no sample fulfils the condition";

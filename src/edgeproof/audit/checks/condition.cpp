@@ -180,7 +180,9 @@ Condition opposite(const Claim& claim, const Condition& condition) {
     return {r};
 }
 
-Outcome summed_up(const std::vector<RelationInScene>& found, const std::string& holds) {
+/// `equal`: " to 45 digits" for a condition with `=`.
+Outcome summed_up(const std::vector<RelationInScene>& found, const std::string& holds,
+                  const std::string& equal) {
     std::size_t places = 0;
     std::vector<const RelationInScene*> failing;
     std::vector<Decision> decisions;
@@ -228,9 +230,9 @@ Outcome summed_up(const std::vector<RelationInScene>& found, const std::string& 
         outcome.note =
             "the enclosures do not decide in " + std::to_string(unclear) + " of " + of_scenes;
     } else {
-        outcome.note = holds == "somewhere"
-                           ? "each of " + of_scenes + " has such places"
-                           : "holds at " + std::to_string(places) + " places of " + of_scenes;
+        outcome.note = holds == "somewhere" ? "each of " + of_scenes + " has such places"
+                                            : "holds" + equal + " at " + std::to_string(places) +
+                                                  " places of " + of_scenes;
     }
     return outcome;
 }
@@ -339,7 +341,9 @@ Outcome check_condition(const Claim& claim, const AuditContext& context) {
             found.push_back(std::move(result));
         }
     }
-    Outcome outcome = summed_up(found, holds);
+    const std::string to_digits =
+        " to " + std::to_string(AuditContext::digits_needed(digits)) + " digits";
+    Outcome outcome = summed_up(found, holds, has_equality ? to_digits : "");
     if (failing) {
         add_failure(claim, *failing, context.digits(), outcome);
     }

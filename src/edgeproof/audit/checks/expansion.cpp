@@ -117,7 +117,13 @@ ComparedTerms compare_terms(const ExpansionComparison& comparison,
             if (term.equal) {
                 continue;
             }
-            SampleInBalls in_balls(sample, digits);
+            // A part such as 1e-300 is a difference, too.
+            const EnclosedSample first(sample, formula::bits_for(digits));
+            const long spread = std::max(spread_of_parts(term.printed, first),
+                                         spread_of_parts(term.derived, first));
+            SampleInBalls in_balls(
+                sample,
+                digits + (spread > first.bits() ? static_cast<unsigned>(spread) * 3 / 10 : 0));
             Decision one;
             static_cast<void>(in_balls.until([&](const EnclosedSample& at) {
                 const Ball x = at.evaluate(term.printed);

@@ -79,14 +79,14 @@ Ball scale_of_terms(const Expr& e, const EnclosedSample& sample) {
 
 namespace {
 
-std::optional<Confirmation> equal(const Relation& r, const Ball& lhs, const Ball& rhs,
-                                  const EnclosedSample& sample, double digits) {
+Decision equal(const Relation& r, const Ball& lhs, const Ball& rhs, const EnclosedSample& sample,
+               double digits) {
+    std::optional<Ball> scale; // none if a part has no enclosure
     try {
-        const Ball scale = scale_of_terms(r.lhs, sample) + scale_of_terms(r.rhs, sample);
-        return Confirmation::agreement(lhs, rhs, scale, digits);
+        scale = scale_of_terms(r.lhs, sample) + scale_of_terms(r.rhs, sample);
     } catch (const Error&) {
-        return std::nullopt; // a part has no enclosure
     }
+    return equality(lhs, rhs, scale, digits);
 }
 
 } // namespace
@@ -110,7 +110,7 @@ Decision decide_one(const Relation& r, const EnclosedSample& sample, double digi
     using Op = Relation::Op;
     const auto [lhs, rhs] = sides_of(r, sample);
     if (r.op == Op::equal) {
-        return decision(Refutation::disjoint(lhs, rhs), equal(r, lhs, rhs, sample, digits));
+        return equal(r, lhs, rhs, sample, digits);
     }
     const bool below = r.op == Op::less || r.op == Op::less_equal;
     const Ball& lesser = below ? lhs : rhs;
@@ -118,9 +118,11 @@ Decision decide_one(const Relation& r, const EnclosedSample& sample, double digi
     const bool or_equal = allows_equality(r);
     const Decision ordered = decision(Refutation::less(greater, lesser, !or_equal),
                                       Confirmation::less(lesser, greater, or_equal));
-    return agreeing && or_equal && is_open(ordered)
-               ? decision(std::nullopt, equal(r, lhs, rhs, sample, digits))
-               : ordered;
+    if (!agreeing || !or_equal || !is_open(ordered)) {
+        return ordered;
+    }
+    const Decision agree = equal(r, lhs, rhs, sample, digits);
+    return confirms(agree) ? agree : Decision();
 }
 
 } // namespace

@@ -28,6 +28,15 @@ std::optional<Confirmation> Confirmation::less(const Ball& x, const Ball& y, boo
     return proved_less(x, y, or_equal) ? std::optional(Confirmation()) : std::nullopt;
 }
 
+namespace {
+
+/// 10^-digits of the scale.
+Ball tolerance(const Ball& scale, double digits) {
+    return pow_int(Ball(10, scale.bits()), -static_cast<long>(std::ceil(digits))) * scale;
+}
+
+} // namespace
+
 std::optional<Confirmation> Confirmation::agreement(const Ball& claimed, const Ball& found,
                                                     const Ball& scale, double digits) {
     if (!claimed.is_finite() || !found.is_finite()) {
@@ -37,9 +46,8 @@ std::optional<Confirmation> Confirmation::agreement(const Ball& claimed, const B
     if (arb_is_zero(off.data()) != 0) {
         return Confirmation();
     }
-    const Ball tolerance =
-        pow_int(Ball(10, off.bits()), -static_cast<long>(std::ceil(digits))) * scale;
-    if (!scale.is_finite() || !certainly_positive(scale) || !certainly_less(off, tolerance)) {
+    if (!scale.is_finite() || !certainly_positive(scale) ||
+        !certainly_less(off, tolerance(scale, digits))) {
         return std::nullopt;
     }
     return Confirmation();
@@ -56,6 +64,18 @@ std::optional<Confirmation> Confirmation::within(const Ball& x, const Rational& 
 Decision decision(const std::optional<Refutation>& fails,
                   const std::optional<Confirmation>& holds) {
     return fails ? Decision(*fails) : holds ? Decision(*holds) : Decision();
+}
+
+Decision equality(const Ball& claimed, const Ball& found, const std::optional<Ball>& scale,
+                  double digits) {
+    const Decision apart = decision(Refutation::disjoint(claimed, found), {});
+    if (!scale) {
+        return apart;
+    }
+    const auto agrees = Confirmation::agreement(claimed, found, *scale, digits);
+    return agrees                                                            ? Decision(*agrees)
+           : certainly_less(tolerance(*scale, digits), abs(claimed - found)) ? apart
+                                                                             : Decision();
 }
 
 Judgement::Judgement(const Decision& decision) {

@@ -88,6 +88,12 @@ using Decision = std::variant<std::monostate, Confirmation, Refutation>;
 [[nodiscard]] Decision decision(const std::optional<Refutation>& fails,
                                 const std::optional<Confirmation>& holds);
 
+/// Whether two values that should be equal agree to the digits, relative to the scale, as in
+/// Confirmation::agreement; else they fail if they differ by more. Without a scale they fail if
+/// they are not equal.
+[[nodiscard]] Decision equality(const Ball& claimed, const Ball& found,
+                                const std::optional<Ball>& scale, double digits);
+
 /// The verdict of a check. `refuted` can be made only from a Refutation; `confirmed` and
 /// `imprecise` only from a Confirmation.
 class Judgement {

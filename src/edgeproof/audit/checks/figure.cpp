@@ -8,6 +8,10 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
+#include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/split.hpp>
+#include <boost/algorithm/string/trim.hpp>
+
 #include <algorithm>
 #include <cstdlib>
 #include <vector>
@@ -21,9 +25,8 @@ constexpr int lost_digits = 25;
 /// A figure as it is quoted: "6.4 %", "0.03", "17". Its unit is one unit of the last place.
 class QuotedFigure {
 public:
-    /// Reads the field `quoted`: a decimal, with or without a per cent sign.
-    explicit QuotedFigure(const Claim& claim) {
-        std::string number = claim.text("quoted");
+    /// Reads a figure of the field `quoted`: a decimal, with or without a per cent sign.
+    QuotedFigure(const Claim& claim, std::string number) : written_(number) {
         if (number.ends_with('%')) {
             per_unit_ = 100;
             number.pop_back();
@@ -33,8 +36,7 @@ public:
         }
         const auto plain = [](char c) { return (c >= '0' && c <= '9') || c == '.'; };
         if (number.empty() || !std::ranges::all_of(number, plain)) {
-            claim.reject("quoted",
-                         "the figure '" + claim.text("quoted") + "' is not a decimal number",
+            claim.reject("quoted", "the figure '" + written_ + "' is not a decimal number",
                          "write it as quoted, such as \"6.4 %\" or \"0.03\"");
         }
         try {
@@ -47,6 +49,8 @@ public:
         unit_ = parse_decimal("1e-" + std::to_string(decimals_)) / per_unit_;
     }
 
+    /// As it is quoted.
+    [[nodiscard]] const std::string& written() const { return written_; }
     /// Rounds the computed value to the quoted place and returns the difference from the quoted
     /// figure, in units of that place. A half is rounded up.
     [[nodiscard]] long units_off(const Real& computed) const {
@@ -140,6 +144,7 @@ private:
                         Confirmation::within(x, lower, upper));
     }
 
+    std::string written_;
     Rational value_;
     Rational unit_;
     std::size_t decimals_ = 0;
@@ -158,6 +163,20 @@ struct FigureAt {
     Judgement verdict;
     std::optional<Ball> value;
     std::string problem;
+
+    [[nodiscard]] std::string note(const QuotedFigure& figure) const {
+        return verdict == Verdict::undecided ? "the enclosure does not decide how it is rounded"
+                                             : figure.note(value->midpoint());
+    }
+    [[nodiscard]] Evidence evidence(const QuotedFigure& figure, const std::string& at,
+                                    unsigned digits) const {
+        const Real& middle = value->midpoint();
+        return {{"at", at},
+                {"value", value_text(middle, digits)},
+                {"rounds_to", figure.rounded(middle)},
+                {"units_off", figure.units_off(middle)},
+                {"enclosure", ball_text(*value, digits)}};
+    }
 };
 
 /// Uses an exact number, or an enclosure with enough bits to round it and to show `digits`.
@@ -188,48 +207,78 @@ FigureAt figure_at(const Sample& sample, const Expr& of, const QuotedFigure& fig
 
 } // namespace
 
+/// The verdict is that of the worst sample, or of the worst row of a table, whose note names the
+/// rows that do not hold.
 Outcome compare_figure(const Claim& claim, const AuditContext& context) {
-    const QuotedFigure figure(claim);
-    const Expr of = claim.formula("of");
-    const unsigned digits = std::max(context.digits(), figure.digits() + 10);
-    const ClaimSamples samples(claim, context);
+    std::vector<std::string> texts;
+    boost::algorithm::split(texts, claim.text("quoted"), [](char c) { return c == ','; });
+    std::vector<QuotedFigure> figures;
+    unsigned digits = context.digits();
+    for (const std::string& text : texts) {
+        figures.emplace_back(claim, boost::algorithm::trim_copy(text));
+        digits = std::max(digits, figures.back().digits() + 10);
+    }
     const PrecisionScope scope(digits + 20);
+    const bool table = figures.size() > 1;
+    if (table && claim.has("where")) {
+        claim.reject("where", "a table of figures has no `where`", "leave rows out of the lists");
+    }
+    const std::vector<Sample> samples =
+        table ? rows_of(claim, context, figures.size()) : ClaimSamples(claim, context).all();
     Outcome outcome;
-    outcome.evidence.update({{"of", claim.text("of")}, {"samples", samples.all().size()}});
+    outcome.evidence.update({{"of", claim.text("of")}, {"samples", samples.size()}});
+    if (samples.empty()) {
+        outcome.note = "no sample fulfils the condition";
+        return outcome;
+    }
     std::vector<Real> values;
-    std::optional<Real> at_worst;
+    std::vector<std::string> computed;
+    std::string others;
+    std::size_t good = 0;
     int worst = -1;
-    for (const Sample& sample : samples.all()) {
-        const FigureAt found = figure_at(sample, of, figure, digits);
-        if (!found.value) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const QuotedFigure& figure = figures[table ? i : 0];
+        const FigureAt found = figure_at(samples[i], claim.formula("of"), figure, digits);
+        if (!found.value && !table) {
             outcome.verdict = {};
-            outcome.note = found.problem + ", at " + full_text(sample);
+            outcome.note = found.problem + ", at " + full_text(samples[i]);
             return outcome;
         }
-        const Real value = found.value->midpoint();
-        if (badness(found.verdict) > worst) {
-            worst = badness(found.verdict);
-            at_worst = value;
-            outcome.verdict = found.verdict;
-            outcome.computed = figure.text(value);
-            outcome.evidence.update({{"at", full_text(sample)},
-                                     {"value", value_text(value, context.digits())},
-                                     {"rounds_to", figure.rounded(value)},
-                                     {"units_off", figure.units_off(value)},
-                                     {"enclosure", ball_text(*found.value, context.digits())}});
+        Evidence row;
+        if (found.value) {
+            values.push_back(found.value->midpoint());
+            row = found.evidence(figure, full_text(samples[i]), context.digits());
         }
-        values.push_back(value);
+        computed.push_back(found.value ? figure.text(values.back()) : "none");
+        const std::string note = found.value ? found.note(figure) : "no value: " + found.problem;
+        const bool worse = badness(found.verdict) > worst;
+        if (worse) {
+            worst = badness(found.verdict);
+            outcome.verdict = found.verdict;
+        }
+        if (table) {
+            row.update({{"quoted", figure.written()}, {"verdict", name_of(found.verdict)}});
+            outcome.evidence["rows"].push_back(std::move(row));
+        } else if (worse) {
+            outcome.evidence.update(row);
+            outcome.computed = computed.back();
+            outcome.note = note;
+        }
+        good += holds(found.verdict) ? 1 : 0;
+        others += holds(found.verdict)
+                      ? ""
+                      : "; row " + std::to_string(i + 1) + " (" + samples[i].text() +
+                            "): " + figure.written() + " " + note;
     }
-    if (values.empty()) {
-        outcome.note = "no sample fulfils the condition";
+    if (table) {
+        outcome.computed = boost::algorithm::join(computed, ", ");
+        outcome.note = std::to_string(good) + " of " + std::to_string(samples.size()) +
+                       " rows round to their figures" + others;
         return outcome;
     }
     const auto [least, most] = std::ranges::minmax(values);
     outcome.evidence["range"] =
-        std::vector<std::string>{figure.text(least, 12), figure.text(most, 12)};
-    outcome.note = outcome.verdict == Verdict::undecided
-                       ? "the enclosure does not decide how it is rounded"
-                       : figure.note(*at_worst);
+        std::vector<std::string>{figures.front().text(least, 12), figures.front().text(most, 12)};
     return outcome;
 }
 

@@ -42,7 +42,7 @@ std::vector<CheckKind> all_kinds() {
         {"definition", {optional("says", Type::text)}, check_definition},
         {"compare",
          {{"says", Type::formula, true, {}, "quoted"},
-          optional("quoted", Type::text),
+          optional("quoted", Type::figures),
           of,
           optional("scale", Type::formula),
           given},

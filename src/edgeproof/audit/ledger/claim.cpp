@@ -7,6 +7,8 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -235,6 +237,12 @@ void Claim::read(const KeySpec& key) {
     };
     try {
         switch (key.type) {
+        case Type::figures:
+            if (auto& value = fields.find(name)->second.value;
+                std::holds_alternative<Field::List>(value)) {
+                value = boost::algorithm::join(std::get<Field::List>(value), ", ");
+            }
+            [[fallthrough]];
         case Type::text:
             static_cast<void>(text(name));
             return;

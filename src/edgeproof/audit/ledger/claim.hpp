@@ -150,6 +150,7 @@ struct Outcome;
 struct KeySpec {
     enum class Type {
         text,      ///< any text
+        figures,   ///< a text, or a list of texts, which is kept as one text with commas
         formula,   ///< parsed, with its names checked, when the ledger is read
         condition, ///< "x > 0 and x < a", parsed in the same way
         number,    ///< an exact constant: "1/100", not "1 %"

@@ -88,20 +88,69 @@ std::vector<Sample> AuditContext::different_samples(const Claim& claim) const {
     return samples;
 }
 
-Ledger with_parameter(const Ledger& ledger, const std::string& family, const std::string& parameter,
-                      const Expr& value) {
+namespace {
+
+/// Returns the families of a ledger (without its claims), one of them changed.
+template <class Change>
+Ledger with_family(const Ledger& ledger, const std::string& name, const Change& change) {
     Ledger fixed;
     fixed.name = ledger.name;
     fixed.file = ledger.file;
     fixed.families = ledger.families;
-    for (Family& f : fixed.families) {
+    change(*std::ranges::find(fixed.families, name, &Family::name));
+    return fixed;
+}
+
+/// The lists of values of the names in `vary`; null without any.
+Field::Table* varied(Claim& claim) {
+    const auto it = claim.fields.find("vary");
+    return it == claim.fields.end() ? nullptr : &std::get<Field::Table>(it->second.value);
+}
+
+} // namespace
+
+Ledger with_parameter(const Ledger& ledger, const std::string& family, const std::string& parameter,
+                      const Expr& value) {
+    return with_family(ledger, family, [&](Family& f) {
         for (auto& [name, values] : f.parameters) {
-            if (f.name == family && name == parameter) {
+            if (name == parameter) {
                 values = {value};
             }
         }
+    });
+}
+
+std::vector<Sample> rows_of(const Claim& claim, const AuditContext& context, std::size_t rows) {
+    std::vector<Sample> samples;
+    for (std::size_t i = 0; i < rows; ++i) {
+        const auto pick = [&](const std::string& name, auto& values) {
+            if (values.size() != 1 && values.size() != rows) {
+                claim.reject("quoted",
+                             "quoted has " + std::to_string(rows) + " figures, and " + name + " " +
+                                 std::to_string(values.size()) + " values",
+                             "give one value for each figure, or one for all");
+            }
+            values = {values.at(values.size() > 1 ? i : 0)};
+        };
+        Claim row = claim;
+        if (Field::Table* const table = varied(row)) {
+            std::ranges::for_each(*table, [&](auto& list) { pick(list.first, list.second); });
+        }
+        const Ledger fixed = with_family(context.ledger(), claim.text("over"), [&](Family& f) {
+            if (!f.union_of.empty()) {
+                claim.reject("over",
+                             "a table of figures is over one family, and " + f.name + " is a union",
+                             "name one of its families");
+            }
+            std::ranges::for_each(f.parameters, [&](auto& list) { pick(list.first, list.second); });
+            if (!f.u.empty()) {
+                pick("u", f.u);
+            }
+            f.count = f.points = 1;
+        });
+        samples.push_back(AuditContext(fixed, context.digits()).samples(row).front());
     }
-    return fixed;
+    return samples;
 }
 
 Sweep sweep_of(const Claim& claim, const AuditContext& context) {
@@ -129,7 +178,7 @@ Sweep sweep_of(const Claim& claim, const AuditContext& context) {
     }
     if (sweep.values.empty() && claim.has("vary")) {
         Claim at = claim;
-        for (auto& [name, texts] : std::get<Field::Table>(at.fields.find("vary")->second.value)) {
+        for (auto& [name, texts] : *varied(at)) {
             for (const std::string& text : name == along ? Field::List(texts) : Field::List()) {
                 texts = {text};
                 add(text, context.samples(at));

@@ -57,6 +57,11 @@ private:
 [[nodiscard]] Ledger with_parameter(const Ledger& ledger, const std::string& family,
                                     const std::string& parameter, const Expr& value);
 
+/// The samples of a claim that is a table: the row i has the value i of each list of the family and
+/// of `vary`; a list of one value is that of all rows. Throws InputError for other lists.
+[[nodiscard]] std::vector<Sample> rows_of(const Claim& claim, const AuditContext& context,
+                                          std::size_t rows);
+
 /// The samples of a claim at every listed value of the name in `along`, a parameter of the family
 /// or a name of `vary`. Each sample except the last has the next one as its `next`.
 struct Sweep {

@@ -150,7 +150,8 @@ std::string correction_in_words(const audit::ClaimResult& result, const PrintedS
         const std::string before = "rounds to ";
         const std::size_t begin = outcome.note.find(before);
         const std::size_t end = outcome.note.find(" %", begin == std::string::npos ? 0 : begin);
-        const bool rounded = begin != std::string::npos && end != std::string::npos;
+        const bool one = claim.text("quoted").find(',') == std::string::npos; // else a table
+        const bool rounded = one && begin != std::string::npos && end != std::string::npos;
         const std::size_t from = begin + before.size();
         return "For " + math(quoted) + " read " +
                (rounded ? math(outcome.note.substr(from, end - from) + "\\,\\%") + " (" +

@@ -381,11 +381,11 @@ private:
         }
         const auto from_end = [&](const PieceEnd& end, int direction) {
             f.centre(end.written, end.at, direction, {}, Integrand::Centre::rooted);
-            if (f.power() != 2) {
+            if (f.power() % 2 != 0) {
                 throw Error("a pressure without a root at the edge");
             }
             Box v = direction > 0 ? top - end.at : end.at - top;
-            acb_sqrt(v.get(), v.get(), bits);
+            acb_root_ui(v.get(), v.get(), static_cast<ulong>(f.power()), bits);
             return line_integral(f, Box(bits), v, digits_);
         };
         sum = sum + from_end(lowest_, 1);

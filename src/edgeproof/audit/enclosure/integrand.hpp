@@ -37,7 +37,9 @@ struct IntegrandMeaning {
 /// A formula in one variable on boxes of the complex plane. The variable is e +- v^n with a centre
 /// e and the new variable v. A part that is proved to vanish at e is v^n times its divided
 /// difference, and a root of it is a power of v times a regular function: so a root that is
-/// singular at e has no singularity in v. The divided difference of a part follows from the finite
+/// singular at e has no singularity in v. The logarithm of such a part, k log v + log w, is v^-1
+/// times a function that tends to 0, for an n so large that the integrand does, too. The divided
+/// difference of a part follows from the finite
 /// form of the rules of differentiation; that of b(s) from its derivative over the segment from e,
 /// as b is convex.
 ///
@@ -107,13 +109,16 @@ public:
             acb_mul(out, out, by_angle_.get(), bits_);
         }
     }
-    /// The lowest power of v in f and its factor (v^n = +-(variable - e)).
+    /// The lowest power of v in f and its factor (v^n = +-(variable - e)). A polynomial in log v is
+    /// taken at log v = 1: if that is not 0, f is at least as great as a multiple of the power.
     struct Leading {
         long power;
         Box factor;
     };
     [[nodiscard]] Leading leading(const Box& v) {
+        leading_ = true;
         run(v, true);
+        leading_ = false;
         return {valued_[result_].k, valued_[result_].w};
     }
 
@@ -260,56 +265,77 @@ private:
             zero_[slot] = true;
         }
     }
-    /// Finds the least n for which all powers of v are integers.
+    /// The power of the distance from the centre as which a part vanishes there, and the degree in
+    /// its logarithm.
+    struct Order {
+        Rational power = 0;
+        long logs = 0;
+    };
+    /// Finds the least n for which all powers of v are integers, and the integrand tends to 0 with
+    /// its logarithms if it has any.
     void choose_power(Centre kind) {
-        std::vector<Rational> order(valued_.size(), Rational(0));
-        order[of_variable] = zero_[of_variable] ? 1 : 0;
+        std::vector<Order> order(valued_.size());
+        order[of_variable].power = zero_[of_variable] ? 1 : 0;
         Integer common = 1;
-        bool roots = false; // of parts that vanish at the centre
+        bool singular = false; // roots and logarithms of parts that vanish at the centre
+        bool unknown = false;  // other functions of logarithms
         for (std::size_t slot = 0; slot < valued_.size(); ++slot) {
             const Step& step = steps_[slot];
-            Rational& here = order[slot];
-            const auto part = [&](std::size_t k) -> const Rational& {
+            Order& here = order[slot];
+            const auto part = [&](std::size_t k) -> const Order& {
                 return order[step.operands[k]];
             };
             if (zero_[slot]) {
-                here = 1;
+                here.power = 1;
             }
             if (zero_[slot] || !step.is_operation()) {
                 continue;
             }
+            const auto& exponent = exponents_[slot];
             switch (step.kind) {
             case Kind::neg:
                 here = part(0);
                 break;
             case Kind::add:
             case Kind::sub:
-                here = std::min(part(0), part(1));
+                here = {std::min(part(0).power, part(1).power),
+                        std::max(part(0).logs, part(1).logs)};
                 break;
             case Kind::mul:
-                here = part(0) + part(1);
+                here = {part(0).power + part(1).power, part(0).logs + part(1).logs};
                 break;
             case Kind::div:
-                here = part(0) - part(1);
+                here = {part(0).power - part(1).power, part(0).logs};
+                unknown = unknown || part(1).logs > 0;
                 break;
-            case Kind::pow:
-                if (const auto& exponent = exponents_[slot]) {
-                    here = part(0) * *exponent;
-                    roots = roots || (part(0) != 0 && denominator(*exponent) != 1);
+            default: {
+                const formula::Builtin f = step.source.builtin();
+                const Order& of = part(step.operands.size() - 1 - (step.kind == Kind::pow ? 1 : 0));
+                const bool log = f == formula::Builtin::log;
+                const auto to = step.kind == Kind::pow        ? exponent
+                                : f == formula::Builtin::sqrt ? std::optional(Rational(1, 2))
+                                                              : std::nullopt;
+                const bool whole = to && denominator(*to) == 1 && *to > 0;
+                unknown = unknown || (of.logs > 0 && !whole);
+                singular = singular || (of.power != 0 && (log || (to && denominator(*to) != 1)));
+                if (to) {
+                    here = {of.power * *to, whole ? of.logs * to->convert_to<long>() : 0};
                 }
-                break;
-            default:
-                if (step.source.builtin() == formula::Builtin::sqrt) {
-                    here = part(0) / 2;
-                    roots = roots || part(0) != 0;
-                }
+                here.logs += log && of.power != 0 ? 1 : 0;
             }
-            common = lcm(common, Integer(denominator(here)));
+            }
+            common = lcm(common, Integer(denominator(here.power)));
         }
-        if (kind == Centre::rooted ? common > most_rooted : roots) {
+        Rational n(common);
+        if (const auto& [power, logs] = order[result_]; logs > 0 && power > -1) {
+            while (n < 2 || n * (power + 1) < logs + 1) {
+                n += common;
+            }
+        }
+        if (kind == Centre::rooted ? unknown || n > most_rooted : singular) {
             std::fill(zero_.begin(), zero_.end(), false);
         } else {
-            power_ = common.convert_to<long>();
+            power_ = n.convert_to<long>();
         }
     }
     /// Marks the parts that are needed for the divided differences of zeros.
@@ -332,6 +358,8 @@ private:
     void take_quotient(const Step& step, std::size_t slot);
     void take_power(const Step& step, std::size_t slot);
     void take_root(const Step& step, std::size_t slot);
+    /// The logarithm of a part that vanishes or is infinite at the centre.
+    void take_log(const ValuedBox& x, ValuedBox& r) const;
     void take_function(const Step& step, std::size_t slot);
     /// Applies the proof that a slot is zero at v = 0.
     void apply_zero(std::size_t slot);
@@ -359,6 +387,7 @@ private:
     Box v_{bits_};
     Box vn_{bits_};
     bool analytic_ = false;
+    bool leading_ = false; ///< log v is taken as 1
     Box by_angle_{bits_};
 };
 

@@ -69,6 +69,15 @@ std::optional<Expr> Integrand::written_out(const Expr& e) const {
         box_function(e.builtin()) != nullptr) {
         return std::nullopt;
     }
+    const Builtin f = e.builtin();
+    if (f == Builtin::acosh || f == Builtin::asinh || f == Builtin::atanh) {
+        const Expr& z = e.arg(0);
+        const Expr one = Expr::number(1);
+        const auto of = [](const char* name, const Expr& x) { return Expr::call(name, {x}); };
+        return f == Builtin::acosh   ? of("log", z + of("sqrt", z - one) * of("sqrt", z + one))
+               : f == Builtin::asinh ? of("log", z + of("sqrt", z * z + one))
+                                     : (of("log", one + z) - of("log", one - z)) / Expr::number(2);
+    }
     return meaning_.written_out(e);
 }
 
@@ -260,9 +269,46 @@ void Integrand::take_root(const Step& step, std::size_t i) {
     }
 }
 
+void Integrand::take_log(const ValuedBox& x, ValuedBox& r) const {
+    Box of_factor(bits_);
+    acb_log_analytic(of_factor.get(), x.w.get(), analytic_ ? 1 : 0, bits_);
+    const Box k(Ball(x.k, bits_));
+    if (leading_) {
+        r.k = 0;
+        r.w = k + of_factor;
+        return;
+    }
+    Box log_v(bits_); // times v
+    if (!v_.contains_zero()) {
+        acb_log_analytic(log_v.get(), v_.get(), analytic_ ? 1 : 0, bits_);
+        log_v = log_v * v_;
+    } else {
+        // |v log v| <= |v| (pi - log |v|), which grows up to |v| = 1.
+        const Ball most(abs(v_).upper(), bits_);
+        const bool small = !analytic_ && certainly_less(most, Ball(1, bits_));
+        const Ball bound =
+            arb_is_zero(most.data()) != 0 ? most : most * (Ball::pi(bits_) - log(most));
+        if (small) {
+            const Ball around = bound * Ball::from_interval(Real(-1), Real(1), bits_);
+            log_v = Box(around, around);
+        } else {
+            indeterminate(log_v);
+        }
+    }
+    r.k = -1;
+    r.w = k * log_v + of_factor * v_;
+}
+
 void Integrand::take_function(const Step& step, std::size_t i) {
     ValuedBox& r = valued_[i];
-    const Box x = plain(part(step, step.operands.size() - 1));
+    const ValuedBox& argument = part(step, step.operands.size() - 1);
+    if (argument.k != 0 && step.source.builtin() == Builtin::log) {
+        take_log(argument, r);
+        indeterminate(r.slope);
+        r.end = r.w; // not used without a slope
+        return;
+    }
+    const Box x = plain(argument);
     r.k = 0;
     acb_ptr y = r.w.get();
     if (const BoxFunction* f = box_function(step.source.builtin())) {

@@ -3,6 +3,7 @@
 
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
+#include "edgeproof/audit/ledger/ledger_parts.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/precision/error.hpp"
 
@@ -71,7 +72,7 @@ private:
             return beyond({Expr::symbol("a") - x, x + Expr::symbol("b")},
                           what + " at a place beyond the contact", e);
         }
-        if (name == "sxx" || name == "szz" || name == "sxz") {
+        if (is_stress(name)) {
             return beyond({e.arg(1)}, "stress at a negative depth", e);
         }
         if (name == "bof" || name == "binv" || name == "Pof" || name == "P1of") {

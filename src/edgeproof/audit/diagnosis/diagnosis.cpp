@@ -129,6 +129,7 @@ EditAlphabet alphabet_for(const Claim& claim, const Expr& printed, const Expr& e
         return written.contains(name) || (scene != nullptr && scene->parameters.contains(name));
     });
     EditAlphabet alphabet;
+    alphabet.of_pressure = exact.kind() == Expr::Kind::call && exact.name() == "p";
     for (const std::string& name : in_order) {
         if (is_coefficient(name)) {
             continue;

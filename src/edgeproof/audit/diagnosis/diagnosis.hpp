@@ -26,6 +26,7 @@ struct Edit {
 struct EditAlphabet {
     std::vector<std::string> symbols; ///< names that may be exchanged for each other
     std::vector<Expr> factors;        ///< factors that may have been lost
+    bool of_pressure = false;         ///< the right value is a pressure
 };
 
 /// Returns the formula with one number in place of its integer factors: x/4 for x/2/2.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "edgeproof/algebra/form.hpp"
 #include "edgeproof/audit/diagnosis/diagnosis.hpp"
 #include "edgeproof/audit/symbolic/symbolic.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -148,6 +149,10 @@ private:
             exchange_names();
             derivatives();
         }
+        if (path_.empty() && alphabet_.of_pressure) {
+            put(whole(4) * node_ / Expr::pi(), "mean for greatest pressure", 2);
+            put(fraction(3, 2) * node_, "mean for greatest pressure", 2);
+        }
         if (is_term()) {
             factors();
             if (node_.kind() != Kind::neg && !is_exponent()) {
@@ -228,6 +233,17 @@ private:
         }
     }
 
+    /// E/(1 - nu^2) of one body in place of E*.
+    void of_one_body(const std::string& modulus, const std::string& ratio) {
+        const Expr stiffness = Expr::symbol("Es") * (whole(1) - pow(Expr::symbol(ratio), whole(2)));
+        const auto name = [](std::string_view of) { return algebra::Form::name(of, false); };
+        try {
+            put(algebra::form_of(substitute(formula_, modulus, stiffness), name).expr(),
+                "modulus of one body for E*", 0);
+        } catch (const Error&) { // no form
+        }
+    }
+
     /// Changes a name everywhere: another name, a lost exponent, a half or a double of it.
     void throughout() {
         for (const std::string& name : alphabet_.symbols) {
@@ -249,6 +265,7 @@ private:
                                                    : "factor missing throughout");
             if (name == "E" || name == "E1" || name == "E2") {
                 everywhere(Expr::symbol("Es"), "Young's modulus for E*");
+                of_one_body(name, "nu" + name.substr(1));
             }
             for (const std::string& other : alphabet_.symbols) {
                 if (other != name) {

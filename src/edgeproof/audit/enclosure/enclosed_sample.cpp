@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/audit/enclosure/enclosed_sample.hpp"
 
+#include "edgeproof/audit/ledger/ledger_parts.hpp"
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
-#include "edgeproof/contact/stress/plane_stress.hpp"
+#include "edgeproof/contact/stress/axisymmetric_stress.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 namespace edgeproof::audit {
@@ -86,6 +87,9 @@ std::optional<Ball> EnclosedSample::quantity(std::string_view name) const {
     if (name == "M") {
         return contact().moment();
     }
+    if (name.starts_with("greatest_")) {
+        return greatest(name.substr(std::string_view("greatest_").size()));
+    }
     if (const auto k = order_behind(name, "P")) {
         return force_derivative(*k);
     }
@@ -133,20 +137,72 @@ const EnclosedSample::PartialSlip& EnclosedSample::partial_slip() const {
     return *slip_;
 }
 
-Ball EnclosedSample::stress(std::string_view name, const Ball& x, const Ball& z) const {
+Ball EnclosedSample::poisson() const {
+    for (const char* const name : {"nu", "nu1"}) {
+        if (const auto it = names_.find(name); it != names_.end()) {
+            return it->second;
+        }
+    }
+    throw Error("a stress that depends on Poisson's ratio: add nu to the family");
+}
+
+contact::StressState EnclosedSample::stresses(const Expr& written, const Ball& x,
+                                              const Ball& z) const {
     if (arb_is_nonnegative(z.data()) == 0) {
         throw DomainError("a stress at a depth that may be negative");
+    }
+    const bool sheared = names_.contains("Q") || names_.contains("sig0");
+    if (axisymmetric()) {
+        if (sheared) {
+            throw Error("the stresses of a body of revolution are enclosed without shear");
+        }
+        const contact::AxisymmetricStress field(contact(), *quantity("P"), poisson());
+        const bool on_axis = arb_is_zero(x.data()) != 0;
+        contact::StressState at =
+            on_axis ? field.on_axis(z)
+            : arb_is_zero(z.data()) != 0
+                ? field.on_surface(abs(x), constant(Expr::call("abs", {written})))
+                : field.inside(abs(x), z);
+        if (!on_axis && !certainly_positive(x)) {
+            at.sxz = certainly_negative(x) ? -at.sxz : Ball::hull(at.sxz, -at.sxz);
+        }
+        return at;
     }
     const Box zeta(x, z);
     const contact::CauchyIntegral p = plane().cauchy_integral(zeta);
     contact::CauchyIntegral q = p * Ball(0, z.bits());
     if (slips()) {
         q = partial_slip().parts->integral(p, zeta);
-    } else if (names_.contains("Q") || names_.contains("sig0")) {
+    } else if (sheared) {
         q = cauchy_integral(contact::Extent<Ball>{contact().a(), contact().b()}, load(), zeta);
     }
-    const contact::StressState at = stress_of(p, q, zeta, Ball(0, z.bits()));
-    return name == "sxx" ? at.sxx : name == "szz" ? at.szz : at.sxz;
+    return stress_of(p, q, zeta, Ball(0, z.bits()));
+}
+
+Ball EnclosedSample::stress(const Expr& call, const Ball& x, const Ball& z) const {
+    const contact::StressState at = stresses(call.arg(0), x, z);
+    const std::string& name = call.name();
+    return name == "sxx"       ? at.sxx
+           : name == "szz"     ? at.szz
+           : name == "sxz"     ? at.sxz
+           : name == "tau_max" ? at.tau_max()
+           : name == "syy"     ? at.syy(poisson())
+           : name == "mises"   ? at.mises(poisson())
+           : name == "tresca"  ? at.tresca(poisson())
+                              : at.principal(poisson()).at(static_cast<std::size_t>(name[1] - '1'));
+}
+
+Ball EnclosedSample::greatest(std::string_view name) const {
+    for (const std::string& given : overridden_) {
+        if (sample_.scene.parameters.contains(given)) {
+            throw Error("a greatest stress has an enclosure for exact loads only");
+        }
+    }
+    const bool of_place = name.ends_with("_x") || name.ends_with("_z");
+    const auto stress = scene::quantity_named(name.substr(0, name.size() - (of_place ? 2 : 0)));
+    const auto digits = static_cast<unsigned>(std::max(10L, bits_ * 3 / 10 - 10));
+    const auto found = sample_.scene.greatest(stress->quantity, digits);
+    return !of_place ? found->value.value : name.ends_with("x") ? found->x.value : found->z.value;
 }
 
 Ball EnclosedSample::slip(const Ball& x) const {
@@ -211,8 +267,8 @@ Ball EnclosedSample::call(const Expr& node, std::span<const Ball> args) const {
     if (name == "gap") {
         return gap(args[0]);
     }
-    if (name == "sxx" || name == "szz" || name == "sxz") {
-        return stress(name, args[0], args[1]);
+    if (is_stress(name)) {
+        return stress(node, args[0], args[1]);
     }
     if (name == "slip") {
         return slip(args[0]);
@@ -267,7 +323,9 @@ std::optional<Ball> EnclosedSample::elsewhere(const Expr& call) const {
     for (const std::string& own : overridden_) {
         there.set(own, names_.at(own));
     }
-    there.set(name, formula::evaluate<Ball>(call.arg(2), *this));
+    if (!exact) {
+        there.set(name, formula::evaluate<Ball>(call.arg(2), *this));
+    }
     if (u_) {
         there.set_place(sample_.edge, *u_);
     }

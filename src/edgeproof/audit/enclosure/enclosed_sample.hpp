@@ -7,6 +7,7 @@
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/law/shear.hpp"
+#include "edgeproof/contact/stress/plane_stress.hpp"
 #include "edgeproof/contact/stress/surface_gap.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"
@@ -45,9 +46,10 @@ namespace edgeproof::audit {
 /// traction under full stick if the scene has Q and sig0; right_s0, left_s0, ... are its
 /// coefficients. With `friction` as well, q(x) is that of partial slip, right_d and left_d are the
 /// sizes of the slip zones, stick_a and stick_b the edges of the stick zone, and slip(x) is
-/// u_A - u_B. sxx(x, z), szz(x, z), sxz(x, z) are the stresses in body A, without a bulk stress of
-/// A. integral(f, s, lo, hi) and pv(f, s, lo, hi, x) are enclosed as in enclosed_integral.hpp.
-/// Not thread-safe: one thread may use an object at a time.
+/// u_A - u_B. sxx(x, z), mises(x, z), ... are the stresses in body A, without a bulk stress of A,
+/// and greatest_mises, greatest_mises_x and greatest_mises_z the greatest value and its place
+/// (tau_max, mises; sxx on the surface). integral(f, s, lo, hi) and pv(f, s, lo, hi, x) are
+/// enclosed as in enclosed_integral.hpp. Not thread-safe: one thread may use an object at a time.
 class EnclosedSample {
 public:
     /// Throws BudgetError or DomainError if this number of bits does not enclose the contact.
@@ -135,8 +137,15 @@ private:
     };
     /// For a scene with friction. Throws Error if the slip is proved not to be partial.
     [[nodiscard]] const PartialSlip& partial_slip() const;
-    /// Returns sxx, szz or sxz in body A, which has no bulk stress; tension is positive.
-    [[nodiscard]] Ball stress(std::string_view name, const Ball& x, const Ball& z) const;
+    /// Returns the value of a call such as mises(x, z).
+    [[nodiscard]] Ball stress(const Expr& call, const Ball& x, const Ball& z) const;
+    /// The stresses in body A, which has no bulk stress; tension is positive.
+    [[nodiscard]] contact::StressState stresses(const Expr& written, const Ball& x,
+                                                const Ball& z) const;
+    /// Poisson's ratio of body A.
+    [[nodiscard]] Ball poisson() const;
+    /// Returns the value of a name without "greatest_".
+    [[nodiscard]] Ball greatest(std::string_view name) const;
     /// Returns u_A - u_B at a place in the contact.
     [[nodiscard]] Ball slip(const Ball& x) const;
     [[nodiscard]] Ball gap(const Ball& x) const;

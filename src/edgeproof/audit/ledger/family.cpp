@@ -7,7 +7,6 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/split_mix.hpp"
 #include "edgeproof/scene/input/readers.hpp"
-#include "edgeproof/scene/run_scene.hpp"
 
 #include <algorithm>
 #include <concepts>
@@ -54,7 +53,7 @@ void for_contact(const std::string& profile, const Has& has, const Use& use) {
     }
 }
 
-std::vector<io::TomlTable> tables_of(const SceneSpec& spec) {
+std::vector<io::TomlTable> tables_of(const SceneSpec& spec, bool with_shear = false) {
     std::vector<io::TomlTable> tables{{"profile", 0, {}}, {"load", 0, {}}};
     const auto put = [&](std::size_t table, std::string_view key, auto value) {
         tables[table].entries.push_back({std::string(key), std::move(value)});
@@ -86,6 +85,19 @@ std::vector<io::TomlTable> tables_of(const SceneSpec& spec) {
         [&](std::string_view table, std::string_view key, std::string_view name) {
             put(table == "load" ? 1 : 0, key, spec.parameter(name).text());
         });
+    const auto has = [&](std::string_view name) { return spec.parameters.contains(name); };
+    if (with_shear && has("Es") && has("nu")) {
+        put(1, "nu", spec.parameter("nu").text());
+    }
+    if (with_shear && has("Q") && has("sig0")) { // friction has sig0 = 0 at least
+        tables.push_back({"shear", 0, {{"Q", spec.parameter("Q").text()}}});
+        if (spec.slips()) {
+            put(2, "friction", spec.parameter("friction").text());
+        }
+        if (spec.parameter("sig0").sign() != 0) {
+            put(2, "bulk_tension", spec.parameter("sig0").text());
+        }
+    }
     return tables;
 }
 
@@ -106,13 +118,8 @@ bool is_flat_punch(std::string_view profile) { return profile == "flat-punch"; }
 void require_partial_slip(const SceneSpec& spec) {
     const scene::AskedValue stick{.quantity = scene::Quantity::stick_a};
     try {
-        std::vector<io::TomlTable> tables = tables_of(spec);
-        tables.push_back({"shear", 0, {{"friction", spec.parameter("friction").text()}}});
-        tables.back().entries.push_back({"Q", spec.parameter("Q").text()});
-        if (spec.parameter("sig0").sign() != 0) {
-            tables.back().entries.push_back({"bulk_tension", spec.parameter("sig0").text()});
-        }
-        const scene::Scene scene = scene::contact_with_keys(tables);
+        static_cast<void>(spec.parameter("Q"));
+        const scene::Scene scene = scene::contact_with_keys(tables_of(spec, true));
         static_cast<void>(
             scene::SceneValues(scene, {stick}, scene::Digits{digits_of_slip}).value(stick));
     } catch (const InputError& error) {
@@ -142,14 +149,14 @@ std::map<std::string, Exact, std::less<>> SceneSpec::names() const {
     return all;
 }
 
-std::shared_ptr<const scene::Scene> SceneSpec::as_scene() const {
+std::shared_ptr<const scene::Scene> SceneSpec::as_scene(bool with_shear) const {
     constexpr std::size_t most_kept = 64;
     thread_local BoundedCache<std::string, const scene::Scene> kept(most_kept);
     const auto Es = parameters.find("Es");
     if (Es != parameters.end() && Es->second.sign() <= 0) { // a scene has another word for it
         throw InputError("Es = " + Es->second.text() + " is not positive", "give Es > 0");
     }
-    const std::vector<io::TomlTable> tables = tables_of(*this);
+    const std::vector<io::TomlTable> tables = tables_of(*this, with_shear);
     return kept.get(scene::scene_text(tables), [&] {
         auto made = std::make_shared<const scene::Scene>(scene::contact_with_keys(tables));
         if (made->round && !made->round->law) {
@@ -157,6 +164,20 @@ std::shared_ptr<const scene::Scene> SceneSpec::as_scene() const {
                              "write profile = \"sphere\", cone or power-law");
         }
         return made;
+    });
+}
+
+std::shared_ptr<const scene::GreatestValue> SceneSpec::greatest(scene::Quantity stress,
+                                                                unsigned digits) const {
+    constexpr std::size_t most_kept = 64;
+    thread_local BoundedCache<std::string, const scene::GreatestValue> kept(most_kept);
+    const std::string key = scene::scene_text(tables_of(*this, true)) +
+                            std::string(scene::row_of(stress).symbol) + std::to_string(digits);
+    return kept.get(key, [&] {
+        scene::Scene scene = *as_scene(true);
+        scene.ask.digits.count = digits;
+        return std::make_shared<const scene::GreatestValue>(
+            scene::greatest_value(scene, stress, scene::Body::A));
     });
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
+#include "edgeproof/scene/run_scene.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -39,9 +40,13 @@ struct SceneSpec {
     [[nodiscard]] bool flat_punch() const { return is_flat_punch(profile); }
     /// Returns the values of the names in formulas: the parameters, and of a flat punch Q and sig0.
     [[nodiscard]] std::map<std::string, Exact, std::less<>> names() const;
-    /// The scene without shear, by the reader of scenes; of a flat punch one with the same edges.
-    /// Throws InputError as that reader does, and for bodies of revolution that are no power laws.
-    [[nodiscard]] std::shared_ptr<const scene::Scene> as_scene() const;
+    /// The scene by the reader of scenes, with its shear or without; of a flat punch one with the
+    /// same edges. Throws InputError as that reader does, and for bodies of revolution that are no
+    /// power laws.
+    [[nodiscard]] std::shared_ptr<const scene::Scene> as_scene(bool with_shear = false) const;
+    /// The greatest value of a stress in body A, to these digits (scene::greatest_value).
+    [[nodiscard]] std::shared_ptr<const scene::GreatestValue> greatest(scene::Quantity stress,
+                                                                       unsigned digits) const;
     /// Its contact in balls.
     [[nodiscard]] std::unique_ptr<contact::ProvedContact> contact(long bits) const;
     /// True if there is friction: then q(x) is the traction in partial slip.

@@ -248,6 +248,9 @@ std::string instead_of_unused(const Family& family, const std::string& name) {
 
 /// `names`: the names used by the claims over the family.
 void refuse_unused_of(const Family& family, std::set<std::string> names, const std::string& file) {
+    if (std::ranges::any_of(names, is_stress) || names.contains("greatest")) {
+        names.insert("nu");
+    }
     const std::vector<std::string_view> of_contact = keys_of_contact(family);
     names.insert(of_contact.begin(), of_contact.end());
     if (is_flat_punch(family.profile)) {

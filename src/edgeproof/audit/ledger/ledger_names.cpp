@@ -6,6 +6,7 @@
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace edgeproof::audit {
@@ -24,9 +25,13 @@ std::set<std::string> parameters_of(const Ledger& ledger, const Family& family) 
     return names;
 }
 
+/// Of a body in plane strain, or of revolution, as scenes name them.
+constexpr std::array<std::string_view, 10> stresses{"sxx",     "szz",    "sxz", "syy", "mises",
+                                                    "tau_max", "tresca", "s1",  "s2",  "s3"};
+
 /// Returns the name as it is written in ledgers: "right.s0".
 std::string dotted(std::string name) {
-    if (name.starts_with("right_") || name.starts_with("left_")) {
+    if (name.starts_with("right_") || name.starts_with("left_") || name.starts_with("greatest_")) {
         name[name.find('_')] = '.';
     }
     return name;
@@ -45,7 +50,7 @@ std::optional<Vocabulary::Refusal> refusal_of(const std::string& name, const Fam
     const bool all_slip = std::ranges::all_of(members, slips);
     const bool of_slip = is_slip_symbol(name);
     const bool of_all = of_slip || is_one_of(name, {"a", "L", "P", "u", "x", "p", "given", "next"});
-    const bool of_bodies_of_revolution = is_one_of(name, {"Es", "gap"}) ||
+    const bool of_bodies_of_revolution = is_one_of(name, {"Es", "gap"}) || is_stress(name) ||
                                          name.starts_with("right_c") ||
                                          name.starts_with("left_c") || (all_slip && name == "q");
     const bool of_stick =
@@ -55,8 +60,9 @@ std::optional<Vocabulary::Refusal> refusal_of(const std::string& name, const Fam
         "'" + dotted(name) + "' is not available: family " + family.name + " is ";
     if (family.axisymmetric() && !of_all && !of_bodies_of_revolution) {
         return Refusal{missing + "axisymmetric",
-                       "use a, Es, P (the total force), delta (the approach), u, x, p(x), gap(x) "
-                       "or right.c0, right.c1, ...; with friction also q(x), right.d and stick_a"};
+                       "use a, Es, P (the total force), delta (the approach), u, x, p(x), gap(x), "
+                       "right.c0, right.c1, ... or stresses such as szz(x, z); with friction also "
+                       "q(x), right.d and stick_a"};
     }
     if (is_flat_punch(family.profile) && !of_all && !of_punches) {
         return Refusal{missing + "a flat punch",
@@ -225,6 +231,10 @@ bool is_slip_symbol(std::string_view name) {
     return is_one_of(name, {"right_d", "left_d", "stick_a", "stick_b"});
 }
 
+bool is_stress(std::string_view name) {
+    return name.starts_with("greatest_") || std::ranges::find(stresses, name) != stresses.end();
+}
+
 const formula::Symbols& scene_names() {
     static const formula::Symbols names = [] {
         formula::Symbols all{"a", "b", "Es",      "P",      "M",       "L",
@@ -236,11 +246,19 @@ const formula::Symbols& scene_names() {
                 }
             }
         }
+        for (const char* stress : {"tau_max", "mises", "sxx"}) {
+            for (const char* place : {"", "_x", "_z"}) {
+                all.add(std::string("greatest_") + stress + place);
+            }
+        }
+        for (const std::string_view stress : stresses) {
+            all.add_function(stress, 2);
+        }
         const std::pair<const char*, unsigned> functions[] = {
-            {"p", 1},       {"g1", 1},          {"Pof", 1},        {"P1of", 1}, {"bof", 1},
-            {"binv", 1},    {"right_local", 2}, {"left_local", 2}, {"q", 1},    {"gap", 1},
-            {"sxx", 2},     {"szz", 2},         {"sxz", 2},        {"slip", 1}, {"exit", 2},
-            {"measure", 2}, {"best", 5},        {"given", 3},      {"next", 1}};
+            {"p", 1},       {"g1", 1},   {"Pof", 1},         {"P1of", 1},
+            {"bof", 1},     {"binv", 1}, {"right_local", 2}, {"left_local", 2},
+            {"q", 1},       {"gap", 1},  {"slip", 1},        {"exit", 2},
+            {"measure", 2}, {"best", 5}, {"given", 3},       {"next", 1}};
         for (const auto& [name, arity] : functions) {
             all.add_function(name, arity);
         }

@@ -81,7 +81,8 @@ namespace {
 Vocabulary names_of(const RelationQuestion& question) {
     Vocabulary vocabulary;
     for (const std::string& name : scene_names().variables()) {
-        if (name != "u" && name != "x" && name != "M" && !is_slip_symbol(name)) {
+        if (name != "u" && name != "x" && name != "M" && !is_slip_symbol(name) &&
+            !is_stress(name)) {
             vocabulary.symbols.add(name);
         }
     }

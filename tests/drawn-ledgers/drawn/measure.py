@@ -63,27 +63,15 @@ def refuted_share(all_judged, group):
 
 
 def table(all_judged):
-    """Lines: kind, claims, true refuted, false confirmed, undecided, wrong in another way, errors."""
+    """Lines: kind, claims, true and false ones, wrong verdicts on them (and on others), undecided ones, errors."""
     rows = collections.defaultdict(collections.Counter)
     for j in all_judged:
+        truth = j.claim.truth if j.claim.truth in ("true", "false") else "other"
         for row in (j.claim.group or j.claim.kind, "all"):
-            c = rows[row]
-            c["claims"] += 1
-            c[j.claim.truth] += 1
-            c["error"] += j.verdict == "error"
-            c["undecided"] += j.verdict == "undecided"
-            c["undecided " + j.claim.truth] += j.verdict == "undecided"
-            if j.wrong and j.verdict != "error":
-                c["true refuted" if j.claim.truth == "true" else "false confirmed"
-                  if j.claim.truth == "false" else "other wrong"] += 1
-            c["refuted"] += j.claim.truth == "false" and j.verdict == "refuted"
-    head = ("kind", "claims", "true", "wrong", "undec.", "false", "wrong", "undec.", "other", "wrong", "errors")
-    lines = [f"{head[0]:16}" + "".join(f"{name:>7}" for name in head[1:])]
-    lines.append("-" * len(lines[0]))
+            rows[row].update({"claims": 1, truth: 1, f"wrong {truth}": j.wrong, "undecided": j.verdict == "undecided",
+                              "errors": j.verdict == "error"})
+    columns = ("claims", "true", "wrong true", "false", "wrong false", "other", "wrong other", "undecided", "errors")
+    lines = [f"{'kind':16}" + "".join(f"{name:>13}" for name in columns)]
     for kind, c in sorted(rows.items(), key=lambda r: (r[0] == "all", r[0])):
-        share = {of: f"{100 * c['undecided ' + of] / c[of]:.0f} %" if c[of] else "-" for of in ("true", "false")}
-        cells = (c["claims"], c["true"], c["true refuted"], share["true"], c["false"], c["false confirmed"],
-                 share["false"],
-                 c["claims"] - c["true"] - c["false"], c["other wrong"], c["error"])
-        lines.append(f"{kind:16}" + "".join(f"{cell:>7}" for cell in cells))
+        lines.append(f"{kind:16}" + "".join(f"{c[name]:>13}" for name in columns))
     return "\n".join(lines)

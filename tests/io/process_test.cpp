@@ -2,6 +2,7 @@
 #include "edgeproof/io/process.hpp"
 
 #include "edgeproof/io/output_file.hpp"
+#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "tests/support/folder.hpp"
 #include "tests/support/namespaces.hpp"
@@ -42,6 +43,24 @@ pid_t start_shell(const char* command) {
     ::setpgid(pid, pid);
     return pid;
 }
+
+/// A pipe that all processes hold which are started after it; it ends when the last of them ends.
+class HeldPipe {
+public:
+    HeldPipe() { REQUIRE(::pipe(ends_.data()) == 0); }
+    ~HeldPipe() { ::close(ends_[0]); }
+    HeldPipe(const HeldPipe&) = delete;
+    HeldPipe& operator=(const HeldPipe&) = delete;
+    void check_all_ended() {
+        ::close(ends_[1]);
+        pollfd end{ends_[0], POLLIN, 0};
+        CHECK(::poll(&end, 1, 20'000) == 1);
+        CHECK((end.revents & POLLHUP) != 0);
+    }
+
+private:
+    std::array<int, 2> ends_{};
+};
 
 } // namespace
 
@@ -98,9 +117,7 @@ TEST_CASE("an interrupted process writes no result") {
 }
 
 TEST_CASE("child programs end with the object, with clean_up(), and with their leader") {
-    // The children hold the pipe's other end: the pipe ends when the last child ends.
-    std::array<int, 2> ends{};
-    REQUIRE(::pipe(ends.data()) == 0);
+    HeldPipe children;
     {
         const ChildGroup child([] { return start_shell("sleep 100 & sleep 100"); });
         CHECK_FALSE(child.ended());
@@ -112,16 +129,17 @@ TEST_CASE("child programs end with the object, with clean_up(), and with their l
           }) == 0);
     ChildGroup leader([] { return start_shell("sleep 100 & exit 7"); });
     CHECK(WEXITSTATUS(leader.wait()) == 7);
-    ::close(ends[1]);
-    pollfd end{ends[0], POLLIN, 0};
-    CHECK(::poll(&end, 1, 20'000) == 1);
-    CHECK((end.revents & POLLHUP) != 0);
-    ::close(ends[0]);
+    children.check_all_ended();
 }
 
 TEST_CASE("processes that a program leaves behind end with it, also in a session of their own") {
-    std::array<int, 2> ends{};
-    REQUIRE(::pipe(ends.data()) == 0); // all descendants of the program hold it
+    HeldPipe descendants;
+    for (const char* left :
+         {"sleep 1000 &", "(sleep 1000 &)", "(sleep 1000 </dev/null >/dev/null 2>&1 &)",
+          "(trap '' HUP TERM INT; sleep 1000) &"}) {
+        CAPTURE(left);
+        CHECK(run_program(shell_call(left)).ending().empty());
+    }
     const test::Folder own;
     const std::filesystem::path& folder = own.path();
     // Ends only after the other process has left its group.
@@ -136,9 +154,26 @@ TEST_CASE("processes that a program leaves behind end with it, also in a session
               call.arguments.back().insert(at, "env -i /bin/");
               ::_exit(run_program(call).ending().empty() ? 0 : 1);
           }) == 0);
-    ::close(ends[1]);
-    pollfd end{ends[0], POLLIN, 0};
-    CHECK(::poll(&end, 1, 20'000) == 1);
-    CHECK((end.revents & POLLHUP) != 0);
-    ::close(ends[0]);
+    descendants.check_all_ended();
+}
+
+TEST_CASE("a program: its standard error is handed on or dropped, and never stops it") {
+    ProgramCall call = shell_call("head -c 3000000 /dev/zero >&2; echo done");
+    CHECK(run_program(call).output == "done\n");
+    std::size_t bytes = 0;
+    call.said = [&](std::string_view text) { bytes += text.size(); };
+    CHECK(run_program(call).output == "done\n");
+    CHECK(bytes == 3'000'000);
+    call = shell_call("cat /dev/zero >&2");
+    call.seconds = 0.3;
+    CHECK(run_program(call).timed_out);
+    call = shell_call("exec cat");
+    call.input = std::string(5'000'000, 'x');
+    CHECK(run_program(call).output == call.input);
+    call.most_output = 1000;
+    const ProgramRun cut = run_program(call);
+    CHECK(cut.too_much);
+    CHECK(cut.output == std::string(1000, 'x'));
+    call.arguments = {"/nowhere/at/all"};
+    CHECK_THROWS_AS((void)run_program(call), Error);
 }

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/conformance/answers/answers.hpp"
 #include "edgeproof/conformance/questions/question.hpp"
-#include "edgeproof/io/process.hpp"
-#include "edgeproof/precision/error.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <chrono>
-#include <fstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 using Cells = std::vector<std::string>;
@@ -190,51 +185,4 @@ TEST_CASE("a program asked: what a run writes is bounded in rows and in bytes") 
         REQUIRE(a.faults.size() < 20'000);
         CHECK(a.faults.back().find("it wrote without end") != std::string::npos);
     }
-}
-
-TEST_CASE("a program: nothing that it leaves behind continues to run, or is waited for") {
-    // The child keeps the output open; the program writes the child's process id.
-    for (const char* left : {"sleep 1000 & echo $!", "(sleep 1000 & echo $!)",
-                             "(sleep 1000 </dev/null >/dev/null 2>&1 & echo $!)",
-                             "(trap '' HUP TERM INT; sleep 1000) & echo $!"}) {
-        CAPTURE(left);
-        const auto begun = std::chrono::steady_clock::now();
-        const ProgramRun run = run_program(shell_call(left));
-        CHECK(run.ending().empty());
-        CHECK(std::chrono::steady_clock::now() - begun < std::chrono::seconds(100)); // hang guard
-        const int child = std::stoi(run.output);
-        REQUIRE(child > 1);
-        // It is killed, but the process that reaps orphans may need a moment.
-        bool runs = true;
-        for (int n = 0; runs && n < 1000; ++n) {
-            std::ifstream stat("/proc/" + std::to_string(child) + "/stat");
-            std::string text;
-            std::getline(stat, text);
-            const std::size_t name_end = text.rfind(')');
-            runs = name_end != std::string::npos && text.compare(name_end, 3, ") Z") != 0;
-            std::this_thread::sleep_for(std::chrono::milliseconds(runs ? 5 : 0));
-        }
-        CHECK_FALSE(runs);
-    }
-}
-
-TEST_CASE("a program: its standard error is handed on or dropped, and never stops it") {
-    ProgramCall call = shell_call("head -c 3000000 /dev/zero >&2; echo done");
-    CHECK(run_program(call).output == "done\n");
-    std::size_t bytes = 0;
-    call.said = [&](std::string_view text) { bytes += text.size(); };
-    CHECK(run_program(call).output == "done\n");
-    CHECK(bytes == 3'000'000);
-    call = shell_call("cat /dev/zero >&2");
-    call.seconds = 0.3;
-    CHECK(run_program(call).timed_out);
-    call = shell_call("exec cat");
-    call.input = std::string(5'000'000, 'x');
-    CHECK(run_program(call).output == call.input);
-    call.most_output = 1000;
-    const ProgramRun cut = run_program(call);
-    CHECK(cut.too_much);
-    CHECK(cut.output == std::string(1000, 'x'));
-    call.arguments = {"/nowhere/at/all"};
-    CHECK_THROWS_AS((void)run_program(call), Error);
 }

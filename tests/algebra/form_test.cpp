@@ -4,8 +4,8 @@
 #include "edgeproof/algebra/laurent.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "tests/formula/items.hpp"
 #include "tests/support/namespaces.hpp"
+#include "tests/support/table.hpp"
 
 #include <doctest/doctest.h>
 
@@ -36,11 +36,7 @@ std::string tidy(const std::string& text) { return to_text(form(text).expr()); }
 
 /// Calls check(x, y) for each item "x = y".
 template <class Check> void for_pairs(const char* items, const Check& check) {
-    for (const std::string& item : test::items(items)) {
-        CAPTURE(item);
-        const std::size_t sign = item.find(" = ");
-        check(item.substr(0, sign), item.substr(sign + 3));
-    }
+    test::for_pairs(items, " = ", check);
 }
 
 } // namespace

@@ -16,17 +16,15 @@
 #include "edgeproof/audit/agreement/enclosures.hpp"
 #include "edgeproof/audit/run.hpp"
 #include "tests/support/namespaces.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/table.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <fstream>
+#include <filesystem>
 #include <map>
 
 namespace {
-
-std::filesystem::path claim_tables() { return test::source_dir() / "tests/audit/claims"; }
 
 using Cells = std::vector<std::string>;
 using Fields = std::vector<std::pair<std::string, std::string>>;
@@ -38,13 +36,8 @@ std::string trimmed(const std::string& text) {
 }
 
 Cells split(const std::string& text, const std::string& by) {
-    Cells cells;
-    std::size_t begin = 0;
-    for (std::size_t at = 0; (at = text.find(by, begin)) != std::string::npos;
-         begin = at + by.size()) {
-        cells.push_back(trimmed(text.substr(begin, at - begin)));
-    }
-    cells.push_back(trimmed(text.substr(begin)));
+    Cells cells = test::parts(text, by);
+    std::ranges::transform(cells, cells.begin(), trimmed);
     return cells;
 }
 
@@ -175,18 +168,10 @@ Fields put_in(const Fields& columns, Fields constants) {
 
 class Table {
 public:
-    explicit Table(const std::filesystem::path& file) {
-        std::ifstream in(file);
-        std::size_t number = 0;
-        for (std::string line; std::getline(in, line);) {
-            place_ =
-                "tests/audit/claims/" + file.filename().string() + ":" + std::to_string(++number);
-            for (std::string more; line.ends_with('\\') && std::getline(in, more); ++number) {
-                line = line.substr(0, line.size() - 1) + trimmed(more);
-            }
-            if (!trimmed(line).empty() && !line.starts_with('#')) {
-                read(line);
-            }
+    explicit Table(const std::string& name) {
+        for (const auto& [place, line] : test::table_lines("audit/claims/" + name + ".txt")) {
+            place_ = place;
+            read(line);
         }
     }
     Bundles bundles;
@@ -374,9 +359,8 @@ void check_bundle(const Bundle& bundle, std::vector<TabledClaim>& claims) {
 }
 
 void check_table(const std::string& name) {
-    const std::filesystem::path file = claim_tables() / (name + ".txt");
-    REQUIRE(std::filesystem::exists(file));
-    Table table(file);
+    Table table(name);
+    REQUIRE(!table.bundles.empty());
     for (auto& [bundle, claims] : table.bundles) {
         check_bundle(bundle, claims);
     }
@@ -399,5 +383,5 @@ TEST_CASE("claims: two-edges") { check_table("two-edges"); }
 
 TEST_CASE("claims: each table has a test case") {
     using Files = std::filesystem::directory_iterator;
-    CHECK(std::distance(Files(claim_tables()), Files()) == 12);
+    CHECK(std::distance(Files(test::source_dir() / "tests/audit/claims"), Files()) == 12);
 }

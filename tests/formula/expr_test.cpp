@@ -3,8 +3,8 @@
 
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "tests/formula/items.hpp"
 #include "tests/support/namespaces.hpp"
+#include "tests/support/table.hpp"
 
 #include <doctest/doctest.h>
 
@@ -99,15 +99,14 @@ TEST_CASE("expressions are printed as they would be written by hand") {
         CHECK(to_text(e) == text);
         CHECK(read(to_text(e)) == e);
     }
-    for (const std::string& item : test::items(R"ITEMS(
+    test::for_pairs(R"ITEMS(
         a ^ -2 => a^(-2)   ((a)) + ((b*x)) => a + b*x   +a - +b => a - b   0.50 => 0.5
         0.0000001 => 1e-7   12000000000 => 1.2e10   0.000012 => 0.000012
         123.456e-9 => 1.23456e-7   1e100000 => 1e100000
-    )ITEMS")) {
-        CAPTURE(item);
-        const std::size_t arrow = item.find(" => ");
-        CHECK(to_text(read(item.substr(0, arrow))) == item.substr(arrow + 4));
-    }
+    )ITEMS",
+                    " => ", [](const auto& typed, const auto& printed) {
+                        CHECK(to_text(read(typed)) == printed);
+                    });
 }
 
 TEST_CASE("numbers that are no decimals become quotients") {

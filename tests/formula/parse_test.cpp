@@ -2,8 +2,8 @@
 #include "edgeproof/formula/parse.hpp"
 
 #include "edgeproof/formula/exact/exact.hpp"
-#include "tests/formula/items.hpp"
 #include "tests/support/namespaces.hpp"
+#include "tests/support/table.hpp"
 
 #include <doctest/doctest.h>
 
@@ -27,11 +27,9 @@ Rational rational(std::string_view text) {
 
 /// Checks items "formula = value".
 void check_values(const char* items) {
-    for (const std::string& item : test::items(items)) {
-        CAPTURE(item);
-        const std::size_t sign = item.find(" = ");
-        CHECK(rational(item.substr(0, sign)) == Rational(item.substr(sign + 3)));
-    }
+    test::for_pairs(items, " = ", [](const auto& text, const auto& value) {
+        CHECK(rational(text) == Rational(value));
+    });
 }
 
 /// Returns the error in a text.
@@ -50,14 +48,6 @@ bool is_at_column(const FormulaError& error, std::size_t column) {
     return (error.problem() + " ").find(" at column " + std::to_string(column) + " ") !=
                std::string::npos ||
            error.problem().find(" at column ") == std::string::npos;
-}
-
-std::string repeated(const std::string& piece, std::size_t n) {
-    std::string text;
-    for (std::size_t i = 0; i < n; ++i) {
-        text += piece;
-    }
-    return text;
 }
 
 } // namespace
@@ -165,16 +155,18 @@ TEST_CASE("malformed text is one line of error, with its place") {
 
 TEST_CASE("the parser does not crash, hang or fill the memory for any text") {
     for (const std::size_t n : {std::size_t{201}, std::size_t{5000}, std::size_t{9999}}) {
-        CHECK_THROWS_AS((void)parse(repeated("(", n) + "1" + repeated(")", n)), FormulaError);
-        CHECK_THROWS_AS((void)parse(repeated("-", n) + "1"), FormulaError);
-        CHECK_THROWS_AS((void)parse(repeated("(", n)), FormulaError);
-        CHECK_THROWS_AS((void)parse(repeated("1^", n) + "1"), FormulaError);
+        CHECK_THROWS_AS((void)parse(test::repeated("(", n) + "1" + test::repeated(")", n)),
+                        FormulaError);
+        CHECK_THROWS_AS((void)parse(test::repeated("-", n) + "1"), FormulaError);
+        CHECK_THROWS_AS((void)parse(test::repeated("(", n)), FormulaError);
+        CHECK_THROWS_AS((void)parse(test::repeated("1^", n) + "1"), FormulaError);
     }
     for (const std::string& text :
-         {repeated("sqrt(", 3000), repeated("(", 100'000), repeated("1+", 9000) + "1",
-          repeated("1e100000+", 1000) + "1", repeated("9", 20'001), std::string("1e999999999"),
-          std::string("1e-999999999"), std::string("1e99999999999999999999999999"),
-          std::string("1e100001"), std::string("10e100000"), std::string("0.1e-100000")}) {
+         {test::repeated("sqrt(", 3000), test::repeated("(", 100'000),
+          test::repeated("1+", 9000) + "1", test::repeated("1e100000+", 1000) + "1",
+          test::repeated("9", 20'001), std::string("1e999999999"), std::string("1e-999999999"),
+          std::string("1e99999999999999999999999999"), std::string("1e100001"),
+          std::string("10e100000"), std::string("0.1e-100000")}) {
         CHECK_THROWS_AS((void)parse(text), FormulaError);
     }
     CHECK(rational("0e999999999") == 0);
@@ -185,10 +177,10 @@ TEST_CASE("the parser does not crash, hang or fill the memory for any text") {
     CHECK(rational("1^9^9") == 1);
     CHECK(rational("(-1)^1e100000") == 1);
     // Texts at the limits are accepted.
-    CHECK(rational(repeated("(", 200) + "1" + repeated(")", 200)) == 1);
-    CHECK(rational(repeated("-", 200) + "1") == 1);
-    CHECK(rational(repeated("1+", 1990) + "1") == 1991);
-    const std::string tower = repeated("1+", 1999) + "1)";
+    CHECK(rational(test::repeated("(", 200) + "1" + test::repeated(")", 200)) == 1);
+    CHECK(rational(test::repeated("-", 200) + "1") == 1);
+    CHECK(rational(test::repeated("1+", 1990) + "1") == 1991);
+    const std::string tower = test::repeated("1+", 1999) + "1)";
     CHECK_THROWS_AS((void)parse(std::string("-(").append(tower)), FormulaError);
     CHECK_THROWS_AS((void)parse(std::string("(").append(tower).append("^2")), FormulaError);
     CHECK_THROWS_AS((void)parse(std::string("abs(").append(tower)), FormulaError);

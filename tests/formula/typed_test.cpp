@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/formula/typed.hpp"
-#include "tests/formula/items.hpp"
 #include "tests/support/namespaces.hpp"
+#include "tests/support/table.hpp"
 
 #include <doctest/doctest.h>
 
@@ -24,13 +24,10 @@ std::string tex(const std::string& text) { return plain_from_tex(text, typed_sym
 
 /// Checks items "typed => plain text".
 template <class Read> void check_readings(const Read& read, const char* items) {
-    for (const std::string& item : test::items(items)) {
-        CAPTURE(item);
-        const std::size_t arrow = item.find(" => ");
-        const std::string plain = read(item.substr(0, arrow));
-        CHECK(plain == item.substr(arrow + 4));
+    test::for_pairs(items, " => ", [&](const auto& typed, const auto& plain) {
+        CHECK(read(typed) == plain);
         CHECK_NOTHROW((void)parse(plain, typed_symbols));
-    }
+    });
 }
 
 /// The message for a text that must be refused: one line, never another exception.
@@ -137,22 +134,15 @@ TEST_CASE("LaTeX that can be read in two ways, or is not of the subset, is refus
 }
 
 TEST_CASE("hostile LaTeX ends soon, with one line") {
-    const auto repeated = [](const std::string& piece, std::size_t n) {
-        std::string text;
-        for (std::size_t i = 0; i < n; ++i) {
-            text += piece;
-        }
-        return text;
-    };
     for (const std::size_t n : {400, 3000}) {
         for (const char* piece :
              {"{", "(", "\\frac{", "\\sqrt{", "\\sqrt[", "x^{", "x_{", "\\sin ", "|", "\\int_",
               "\\int_0^a", "\\mathrm{", "C(", "-", "\\left(", "\\{", "P'(", "\\text"}) {
             CAPTURE(piece);
-            (void)refused(tex, "\\," + repeated(piece, n));
+            (void)refused(tex, "\\," + test::repeated(piece, n));
         }
-        (void)refused(tex, repeated("{", n) + "a" + repeated("}", n));
-        (void)refused(tex, repeated("C(1+", n) + "a" + repeated(")", n) + "\\,");
+        (void)refused(tex, test::repeated("{", n) + "a" + test::repeated("}", n));
+        (void)refused(tex, test::repeated("C(1+", n) + "a" + test::repeated(")", n) + "\\,");
     }
-    (void)refused(tex, "\\," + repeated("a", 20'000));
+    (void)refused(tex, "\\," + test::repeated("a", 20'000));
 }

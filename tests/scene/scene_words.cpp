@@ -3,12 +3,11 @@
 
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/scene/input/scene_words.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/table.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 
 namespace edgeproof::scenes {
@@ -23,7 +22,7 @@ std::string section_of(const std::string& key) {
 
 std::string list_of(const std::string& text, const std::string& by, const auto& element) {
     std::string list;
-    for (const std::string& part : parts_of(text, by)) {
+    for (const std::string& part : test::parts(text, by)) {
         list += (list.empty() ? "" : ", ") + element(part);
     }
     return "[" + list + "]";
@@ -70,19 +69,6 @@ std::vector<std::string> words_of(const std::string& text) {
     return {words.begin(), words.end()};
 }
 
-std::vector<std::string> parts_of(const std::string& text, const std::string& by) {
-    std::vector<std::string> parts;
-    std::size_t from = 0;
-    for (std::size_t at = 0; (at = text.find(by, from)) != std::string::npos;) {
-        parts.push_back(text.substr(from, at - from));
-        from = at + by.size();
-    }
-    if (from < text.size()) {
-        parts.push_back(text.substr(from));
-    }
-    return parts;
-}
-
 std::string toml_of(const std::string& words) {
     std::map<std::string, Keys> of;
     std::string steps;
@@ -94,7 +80,7 @@ std::string toml_of(const std::string& words) {
             shear = true;
         } else if (word.starts_with('[')) {
             Keys step;
-            for (const std::string& pair : parts_of(word.substr(1, word.size() - 2), ",")) {
+            for (const std::string& pair : test::parts(word.substr(1, word.size() - 2), ",")) {
                 step.emplace_back(pair.substr(0, pair.find('=')), pair.substr(pair.find('=') + 1));
             }
             steps += written("[[step]]", step);
@@ -128,8 +114,6 @@ Scene made(const std::string& words) {
 }
 
 std::vector<TableRow> rows_of(const std::string& table) {
-    const auto path = test::source_dir() / "tests" / table;
-    std::istringstream in(read_text(path.string(), "table"));
     std::map<std::string, std::string> names;
     const auto named = [&](const std::string& words) {
         const std::size_t end = std::min(words.find(' '), words.size());
@@ -138,19 +122,14 @@ std::vector<TableRow> rows_of(const std::string& table) {
     };
     std::vector<TableRow> rows;
     bool slow = false;
-    std::size_t number = 0;
-    for (std::string line; std::getline(in, line);) {
-        const std::string at = table + ":" + std::to_string(++number);
+    for (const auto& [at, line] : test::table_lines(table)) {
         const std::size_t naming = line.find(" := ");
-        if (line.empty() || line.starts_with('#')) {
-            continue;
-        }
         if (line == "slow") {
             slow = true;
         } else if (naming != std::string::npos) {
             names[line.substr(0, naming)] = named(line.substr(naming + 4));
         } else {
-            std::vector<std::string> cells = parts_of(" " + line, " | ");
+            std::vector<std::string> cells = test::parts(" " + line, " | ");
             for (std::string& cell : cells) {
                 for (std::size_t i = 0; (i = cell.find('{', i)) != std::string::npos; ++i) {
                     cell = cell.substr(0, i + 1) + named(cell.substr(i + 1));

@@ -11,9 +11,7 @@
 /// Scenes in words, and the tables of this folder.
 namespace edgeproof::scenes {
 
-/// Words of a text, and its parts between a separator.
 [[nodiscard]] std::vector<std::string> words_of(const std::string& text);
-[[nodiscard]] std::vector<std::string> parts_of(const std::string& text, const std::string& by);
 
 /// Returns the scene file of "axisymmetric piecewise symmetric knots=1/2 slopes=x;1/2 a=6/5 E=7/3
 /// friction=1/2 [P=1] [Q=1/10,cycles=2] u=0.1;0.2". A word without "=" is the kind of the profile,

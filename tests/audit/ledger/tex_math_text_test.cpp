@@ -3,8 +3,8 @@
 
 #include "edgeproof/audit/ledger/ledger.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "tests/formula/items.hpp"
 #include "tests/support/namespaces.hpp"
+#include "tests/support/table.hpp"
 
 #include <doctest/doctest.h>
 
@@ -41,17 +41,13 @@ eps = '''NOTATION'''
 own = '''MACRO'''
 )";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    return text.replace(text.find(from), from.size(), to);
-}
-
 /// Returns the error of a ledger in which one word is replaced by a text and the others by harmless
 /// ones.
 std::string error_with(const std::string& word, const std::string& tex) {
-    std::string text = replaced(ledger_text, word, tex);
+    std::string text = test::replaced(ledger_text, word, tex);
     for (const char* other : {"PRINTED", "NOTATION", "MACRO"}) {
         if (word != other) {
-            text = replaced(text, other, "x");
+            text = test::replaced(text, other, "x");
         }
     }
     try {

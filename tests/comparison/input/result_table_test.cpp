@@ -4,12 +4,11 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "tests/support/namespaces.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/table.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 
 // The head of results.txt describes its rows.
@@ -97,18 +96,8 @@ void check_result(const std::string& place, const std::string& text,
 } // namespace
 
 TEST_CASE("results: texts as programs write them") {
-    const std::string name = "tests/comparison/input/results.txt";
-    std::ifstream in(test::source_dir() / name);
     std::size_t results = 0;
-    std::size_t number = 0;
-    for (std::string line; std::getline(in, line);) {
-        const std::string place = name + ":" + std::to_string(++number);
-        for (std::string more; line.ends_with('\\') && std::getline(in, more); ++number) {
-            line = line.substr(0, line.size() - 1) + more;
-        }
-        if (line.empty() || line.starts_with('#')) {
-            continue;
-        }
+    for (const auto& [place, line] : test::table_lines("comparison/input/results.txt")) {
         const std::size_t end = line.rfind('`');
         std::vector<std::string> options;
         for (std::size_t at = end + 1; at < line.size();) {

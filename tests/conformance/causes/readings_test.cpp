@@ -5,13 +5,12 @@
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/support/namespaces.hpp"
-#include "tests/support/paths.hpp"
+#include "tests/support/table.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <regex>
 
@@ -19,17 +18,6 @@
 namespace {
 
 using Cells = std::vector<std::string>;
-
-Cells split(const std::string& text, const std::string& by) {
-    Cells cells;
-    std::size_t begin = 0;
-    for (std::size_t at = 0; (at = text.find(by, begin)) != std::string::npos;
-         begin = at + by.size()) {
-        cells.push_back(text.substr(begin, at - begin));
-    }
-    cells.push_back(text.substr(begin));
-    return cells;
-}
 
 /// The columns of a contact, and u.
 struct Columns {
@@ -82,8 +70,8 @@ private:
         Columns columns;
         columns.values.emplace("u", Ball(u, Columns::bits));
         formula::Symbols symbols{"u"};
-        const Cells names = split(contacts.columns, ",");
-        const Cells values = split(cells, ",");
+        const Cells names = test::parts(contacts.columns, ",");
+        const Cells values = test::parts(cells, ",");
         for (std::size_t i = 1; i < names.size(); ++i) { // the first is the kind
             columns.values.emplace(names[i], formula::enclosed_constant(
                                                  formula::Exact::parse(values[i]), Columns::bits));
@@ -146,19 +134,13 @@ void check(const std::string& place, const std::vector<Convention>& found, const
 } // namespace
 
 TEST_CASE("causes: the mistakes of the table are named, and nothing else") {
-    const std::string name = "tests/conformance/causes/causes.txt";
-    std::ifstream in(test::source_dir() / name);
     std::map<std::string, Contacts> contacts;
     const std::regex ours("\\bours\\b");
-    std::size_t number = 0;
     std::size_t rows = 0;
-    for (std::string line; std::getline(in, line);) {
-        const std::string place = name + ":" + std::to_string(++number);
-        for (std::string more; line.ends_with('\\') && std::getline(in, more); ++number) {
-            line = line.substr(0, line.size() - 1) + more;
-        }
+    for (const test::TableLine& row : test::table_lines("conformance/causes/causes.txt")) {
+        const auto& line = row.text;
         const std::size_t arrow = line.find(" -> ");
-        const Cells cells = split(line.substr(0, arrow), " | ");
+        const Cells cells = test::parts(line.substr(0, arrow), " | ");
         if (line.starts_with("contacts ")) {
             Contacts& all = contacts[cells[0].substr(9)];
             all = {cells[1], Cells(cells.begin() + 2, cells.end()), ""};
@@ -166,14 +148,14 @@ TEST_CASE("causes: the mistakes of the table are named, and nothing else") {
                 all.ours = '(' + all.cells.back().substr(7) + ')';
                 all.cells.pop_back();
             }
-        } else if (!line.empty() && !line.starts_with('#')) {
-            REQUIRE_MESSAGE(arrow != std::string::npos, place);
-            for (const std::string& formula : split(cells[2], " // ")) {
+        } else {
+            REQUIRE_MESSAGE(arrow != std::string::npos, row.place);
+            for (const std::string& formula : test::parts(cells[2], " // ")) {
                 const Contacts& asked = contacts.at(cells[0]);
                 Mistaken program{asked, cells[1], std::regex_replace(formula, ours, asked.ours)};
                 std::for_each(cells.begin() + 3, cells.end(),
                               [&](const std::string& option) { program.take_option(option); });
-                check(place, program.causes(), split(line.substr(arrow + 4), " & "));
+                check(row.place, program.causes(), test::parts(line.substr(arrow + 4), " & "));
                 ++rows;
             }
         }

@@ -3,6 +3,7 @@
 #include "edgeproof/conformance/questions/question.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/support/namespaces.hpp"
+#include "tests/support/table.hpp"
 
 #include <doctest/doctest.h>
 
@@ -33,16 +34,12 @@ std::string refusal(const std::string& text) {
     return "accepted";
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    return text.replace(text.find(from), from.size(), to);
-}
-
 } // namespace
 
 TEST_CASE("a range of a parameter is the grid of its values") {
     const auto ids = [](const std::string& range) {
         const Recipe recipe =
-            parse_recipe(replaced(grid, "a = [\"1\", \"3/2\"]", "a = " + range), "r.toml");
+            parse_recipe(test::replaced(grid, "a = [\"1\", \"3/2\"]", "a = " + range), "r.toml");
         std::vector<std::string> list;
         for (const auto& question : recipe.questions.list) {
             if (question.id.starts_with("hertz:m=1:") && question.id.ends_with(":P")) {
@@ -81,7 +78,7 @@ TEST_CASE("a grid becomes questions in a fixed order, with ids that describe the
 
 TEST_CASE("questions in binary64 are decimals that a double holds exactly") {
     const Questions asked = rounded_to_binary64(
-        parse_recipe(replaced(grid, "\"1e-3\"", "\"0.1\""), "r.toml").questions);
+        parse_recipe(test::replaced(grid, "\"1e-3\"", "\"0.1\""), "r.toml").questions);
     CHECK(asked.list[2].u->text() == "0.5");
     // 0.1 in binary64 is 3602879701896397/2^55.
     CHECK(asked.list[3].u->text() == "0.1000000000000000055511151231257827021181583404541015625");
@@ -89,13 +86,13 @@ TEST_CASE("questions in binary64 are decimals that a double holds exactly") {
 }
 
 TEST_CASE("a recipe of more than a million questions is refused before its grids are expanded") {
-    std::string big = replaced(grid, "u = [\"1/2\", \"1e-3\"]",
-                               "u = { from = \"1/1000000\", to = \"1/2\", points = 20000 }");
+    std::string big = test::replaced(grid, "u = [\"1/2\", \"1e-3\"]",
+                                     "u = { from = \"1/1000000\", to = \"1/2\", points = 20000 }");
     std::string values;
     for (int i = 1; i <= 625; ++i) {
         values += (i == 1 ? "\"" : ", \"") + std::to_string(i) + "\"";
     }
-    CHECK(refusal(replaced(big, "C = \"1\"", "C = [" + values + "]"))
+    CHECK(refusal(test::replaced(big, "C = \"1\"", "C = [" + values + "]"))
               .find("more than a million questions; split the recipe") != std::string::npos);
 }
 

@@ -4,8 +4,8 @@
 #include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "tests/formula/items.hpp"
 #include "tests/support/namespaces.hpp"
+#include "tests/support/table.hpp"
 
 #include <doctest/doctest.h>
 

@@ -5,6 +5,7 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "tests/support/namespaces.hpp"
+#include "tests/support/table.hpp"
 
 #include <doctest/doctest.h>
 
@@ -23,15 +24,6 @@ template <class F> InputError error_of(const F& f) {
 }
 InputError refusal(const std::string& text) {
     return error_of([&] { (void)parsed(text); });
-}
-
-/// Returns `times` copies of the text.
-std::string many(const std::string& text, std::size_t times) {
-    std::string all;
-    for (std::size_t i = 0; i < times; ++i) {
-        all += text;
-    }
-    return all;
 }
 
 } // namespace
@@ -129,12 +121,13 @@ TEST_CASE("a missing key, or one of another kind, is refused with the line") {
 TEST_CASE("depth: names joined by dots, and brackets, that nest too deep are refused") {
     for (const std::size_t deep : {std::size_t{32}, std::size_t{300}, std::size_t{50'000}}) {
         for (const std::string& text :
-             {many("a.", deep) + "a = 1", "[" + many("a.", deep) + "a]",
-              "[[" + many("a.", deep) + "a]]", many("\"a\" . ", deep) + "a = 1",
-              many("'.'\t.\t", deep) + "a = 1", "k = { " + many("a.", deep) + "a = 1 }",
-              many("γ-1.", deep) + "a = 1", many("\"! \\\"\".", deep) + "a = 1",
-              "k = [ \"\"\"\"a\"\"\"\"\", { " + many("\" \".", deep) + "a = 1 } ]",
-              "[" + many("' '.", deep) + "a]"}) {
+             {test::repeated("a.", deep) + "a = 1", "[" + test::repeated("a.", deep) + "a]",
+              "[[" + test::repeated("a.", deep) + "a]]", test::repeated("\"a\" . ", deep) + "a = 1",
+              test::repeated("'.'\t.\t", deep) + "a = 1",
+              "k = { " + test::repeated("a.", deep) + "a = 1 }",
+              test::repeated("γ-1.", deep) + "a = 1", test::repeated("\"! \\\"\".", deep) + "a = 1",
+              "k = [ \"\"\"\"a\"\"\"\"\", { " + test::repeated("\" \".", deep) + "a = 1 } ]",
+              "[" + test::repeated("' '.", deep) + "a]"}) {
             CAPTURE(text.substr(0, 40));
             const InputError error = refusal("x = 1 # a comment\n" + text);
             CHECK(error.problem().find("32 levels deep") != std::string::npos);
@@ -142,30 +135,32 @@ TEST_CASE("depth: names joined by dots, and brackets, that nest too deep are ref
         }
     }
     for (const char* open : {"[", "[\n# ]]]\n", "{ a = "}) {
-        const InputError error = refusal("k = " + many(open, 50'000));
+        const InputError error = refusal("k = " + test::repeated(open, 50'000));
         CHECK(error.problem().starts_with("not TOML:"));
         CHECK(std::string(error.what()).size() < 300);
     }
 }
 
 TEST_CASE("depth: other dots and brackets do not count, and 31 levels are read") {
-    const std::string dots = many(".", 200) + many("[{", 100) + many("0.5 e.g. a.b.", 100);
+    const std::string dots =
+        test::repeated(".", 200) + test::repeated("[{", 100) + test::repeated("0.5 e.g. a.b.", 100);
     CHECK(parsed("k = \"" + dots + "\"").text("k") == dots);
     CHECK(parsed("k = '" + dots + "' # " + dots + "\nl = 1").written("l") == "1");
     CHECK(parsed("\"" + dots + "\" = 3").written(dots) == "3");
-    CHECK(parsed("k = [" + many("0.5, 0.25,\n", 100) + "]").written_list("k").size() == 200);
-    TomlSection section = parsed(many("a.", 31) + "k = 1");
+    CHECK(parsed("k = [" + test::repeated("0.5, 0.25,\n", 100) + "]").written_list("k").size() ==
+          200);
+    TomlSection section = parsed(test::repeated("a.", 31) + "k = 1");
     for (int level = 0; level < 31; ++level) {
         section = section.section("a");
     }
     CHECK(section.written("k") == "1");
-    CHECK_NOTHROW((void)parsed("k = " + many("[", 32) + many("]", 32)));
+    CHECK_NOTHROW((void)parsed("k = " + test::repeated("[", 32) + test::repeated("]", 32)));
 }
 
 TEST_CASE("a file of more than 10 MB is refused, one of less is read") {
-    CHECK(refusal(many("# 45678\n", most_toml_bytes / 8 + 1)).problem().find("bytes") !=
+    CHECK(refusal(test::repeated("# 45678\n", most_toml_bytes / 8 + 1)).problem().find("bytes") !=
           std::string::npos);
-    CHECK(parsed(many("# 4567\n", 100'000) + "k = 1").line("k") == 100'001);
+    CHECK(parsed(test::repeated("# 4567\n", 100'000) + "k = 1").line("k") == 100'001);
 }
 
 TEST_CASE("control characters are refused with their line, as escapes too") {

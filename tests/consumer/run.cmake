@@ -18,47 +18,39 @@ function(run)
     endif()
 endfunction()
 
+# Builds a project against the installed package.
+function(build_outside source name)
+    run(${CMAKE_COMMAND} -G Ninja -S ${source} -B ${WORK}/${name}
+        -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=${COMPILE_OPTIONS}
+        -D CMAKE_PREFIX_PATH=${WORK}/installed -D CMAKE_EXPORT_COMPILE_COMMANDS=ON)
+    run(${CMAKE_COMMAND} --build ${WORK}/${name})
+endfunction()
+function(expect_output program expected)
+    execute_process(COMMAND ${WORK}/${program} OUTPUT_VARIABLE printed RESULT_VARIABLE status)
+    if(status OR expected STREQUAL "" OR NOT printed STREQUAL expected)
+        message(FATAL_ERROR "${program} (exit ${status}) printed\n${printed}instead of\n${expected}")
+    endif()
+endfunction()
+
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed)
-run(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build
-    -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=${COMPILE_OPTIONS}
-    -D CMAKE_PREFIX_PATH=${WORK}/installed -D CMAKE_EXPORT_COMPILE_COMMANDS=ON)
+set(here ${CMAKE_CURRENT_LIST_DIR})
+build_outside(${here} build)
 file(READ ${WORK}/build/compile_commands.json commands)
 if(NOT commands MATCHES " -ffp-contract=off ")
     message(FATAL_ERROR "what double words rest on is not passed on: ${commands}")
 endif()
-run(${CMAKE_COMMAND} --build ${WORK}/build)
-
-execute_process(COMMAND ${WORK}/build/consumer OUTPUT_VARIABLE printed RESULT_VARIABLE status)
-file(READ ${CMAKE_CURRENT_LIST_DIR}/expected.txt expected)
-if(status OR NOT printed STREQUAL expected)
-    message(FATAL_ERROR "consumer (exit ${status}) printed\n${printed}instead of\n${expected}")
-endif()
-
+file(READ ${here}/expected.txt expected)
+expect_output(build/consumer "${expected}")
 # The same without naming modules.
-run(${CMAKE_COMMAND} -G Ninja -S ${CMAKE_CURRENT_LIST_DIR}/whole -B ${WORK}/whole
-    -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=${COMPILE_OPTIONS}
-    -D CMAKE_PREFIX_PATH=${WORK}/installed)
-run(${CMAKE_COMMAND} --build ${WORK}/whole)
-execute_process(COMMAND ${WORK}/whole/whole OUTPUT_VARIABLE printed RESULT_VARIABLE status)
-file(READ ${CMAKE_CURRENT_LIST_DIR}/whole/expected.txt expected)
-if(status OR NOT printed STREQUAL expected)
-    message(FATAL_ERROR "whole (exit ${status}) printed\n${printed}instead of\n${expected}")
-endif()
+build_outside(${here}/whole whole)
+file(READ ${here}/whole/expected.txt expected)
+expect_output(whole/whole "${expected}")
 
-file(GLOB_RECURSE examples ${WORK}/installed/*/proved_pressure.cpp)
-cmake_path(GET examples PARENT_PATH examples)
-run(${CMAKE_COMMAND} -G Ninja -S ${examples} -B ${WORK}/examples
-    -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=${COMPILE_OPTIONS}
-    -D CMAKE_PREFIX_PATH=${WORK}/installed)
-run(${CMAKE_COMMAND} --build ${WORK}/examples)
+build_outside(${WORK}/installed/share/edgeproof/examples/cpp examples)
 foreach(example proved_pressure coefficients extent table_in_threads ledger)
-    execute_process(COMMAND ${WORK}/examples/${example} OUTPUT_VARIABLE outside
-        RESULT_VARIABLE status)
     execute_process(COMMAND ${EXAMPLES}/${example} OUTPUT_VARIABLE inside)
-    if(status OR inside STREQUAL "" OR NOT outside STREQUAL inside)
-        message(FATAL_ERROR "${example} (exit ${status}) printed\n${outside}instead of\n${inside}")
-    endif()
+    expect_output(examples/${example} "${inside}")
 endforeach()
 
 # The installed files must not contain a path of the source or build tree.
@@ -72,4 +64,4 @@ foreach(config IN LISTS configs)
         message(FATAL_ERROR "${config} names the source tree ${source}")
     endif()
 endforeach()
-message(STATUS "the installed package works: ${printed}")
+message(STATUS "the installed package works")

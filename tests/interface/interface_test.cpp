@@ -118,11 +118,7 @@ name = "Hertz"
 name = "hertz"
 profile = "power-law"
 count = 3
-[family.parameters]
-m = ["1"]
-C = ["3/7"]
-a = ["3/2"]
-Es = ["7/3"]
+parameters = { m = ["1"], C = ["3/7"], a = ["3/2"], Es = ["7/3"] }
 [[claim]]
 id = "right"
 kind = "compare"
@@ -144,13 +140,8 @@ over = "hertz"
 
     folder.write("recipe.toml", R"([scenes.h]
 quantities = ["P", "a"]
-[scenes.h.profile]
-kind = "power-law"
-m = "1"
-C = "1"
-[scenes.h.load]
-a = "1"
-contact_modulus = "2"
+profile = { kind = "power-law", m = "1", C = "1" }
+load = { a = "1", contact_modulus = "2" }
 )");
     for (const std::string P : {"1.5707963267948966", "0.78539816339744831"}) {
         const auto answers = folder.write("answers.csv", "id,value\nh:P," + P + "\nh:a,1\n");

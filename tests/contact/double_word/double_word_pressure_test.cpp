@@ -137,33 +137,6 @@ TEST_SUITE("slow") {
     }
 }
 
-TEST_CASE("in double words: outside, on a corner, tiny or not a number") {
-    const DoubleWordPressure wedge = words_of("power-law m=0 C=1 a=1");
-    for (const double u : {0.0, -0.0, -1.0, 2.0, 3.0, 5e-324, 1e-300, infinity, -infinity,
-                           std::numeric_limits<double>::quiet_NaN()}) {
-        CAPTURE(u);
-        CHECK_FALSE(wedge.nearest(Edge::right, u));
-        CHECK_FALSE(wedge.nearest(Edge::left, u));
-    }
-    CHECK(wedge.nearest(Edge::right, 1.0) == infinity);
-    CHECK(wedge.nearest(Edge::left, 1.0) == infinity);
-    CHECK(wedge.nearest(Edge::right, std::nextafter(1.0, 0.0)) < 40);
-    CHECK(wedge.nearest(Edge::right, std::nextafter(2.0, 0.0)));
-    const DoubleWordPressure vast = words_of("power-law m=0 C=1 a=1e40");
-    CHECK_FALSE(vast.nearest(Edge::right, 1e30));
-    // In the middle, where powers of |x| have their singularity.
-    for (const std::string m : {"1/2", "3/2", "2", "7"}) {
-        CAPTURE(m);
-        const std::string words = "power-law C=1 a=3/4 m=" + m;
-        // E* C a^m/(...) I_m(0), I_m(0) = 1/m.
-        CHECK(words_of(words).nearest(Edge::right, 0.75) ==
-              nearest_binary64(Ball(balls_of(contact_of(words), 300).pressure_factor() /
-                                    Ball(exact(m).rational(), 300))));
-    }
-    CHECK_FALSE(DoubleWordPressure::has_form(contact_of("power-law m=1/3 C=1 a=1").profile));
-    CHECK_FALSE(DoubleWordPressure::has_form(contact_of("power-law m=1000 C=1 a=1").profile));
-}
-
 TEST_CASE("in double words: a bound that is made too small is caught by its ball") {
     // The radii are needed: without the uncertainty of the edges, places would be decided wrongly.
     const Contact c = contact_of(pressed[1]);

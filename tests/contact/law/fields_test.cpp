@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
 #include "edgeproof/contact/law/kernels.hpp"
-#include "tests/contact/scenes.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
@@ -99,33 +97,5 @@ TEST_CASE("the law of the mirror of the mirror is the law, exactly") {
         CAPTURE(k);
         CHECK(again.force_rate[k] == rate[k]);
         CHECK(again.b[k] == b[k]);
-    }
-}
-
-// The mirror of the series of the law, and the mirror of the profile.
-TEST_CASE("the law of the mirror gives the coefficients at the left edge") {
-    constexpr long bits = 400;
-    constexpr std::size_t terms = 6;
-    const PrecisionScope scope(100);
-    for (const scenes::Contact& c : scenes::tilted()) {
-        CAPTURE(c.name);
-        const BallContact contact(c.profile, c.modulus, c.load, bits);
-        std::vector<Real> rate;
-        std::vector<Real> b;
-        Real factorial(1);
-        for (std::size_t k = 0; k < terms; ++k) {
-            factorial *= k > 0 ? static_cast<int>(k) : 1;
-            rate.emplace_back(contact.force_derivatives(terms + 1)[k + 1].midpoint() / factorial);
-            b.emplace_back(contact.left_edge_derivatives(terms)[k].midpoint() / factorial);
-        }
-        const auto other = mirrored(LawSeries<Series<Real>>{Series<Real>(rate), Series<Real>(b)},
-                                    Real(contact.a().midpoint()));
-        const auto found =
-            coefficients_of(right_edge_brackets(other, b[0]), Real(contact.length().midpoint()));
-        const std::vector<Ball> expected = contact.expansion(Edge::left, found.size());
-        for (std::size_t k = 0; k < found.size(); ++k) {
-            CAPTURE(k);
-            CHECK(scenes::common_digits(found[k], expected[k].midpoint()) >= 50);
-        }
     }
 }

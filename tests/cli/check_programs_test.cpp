@@ -8,14 +8,6 @@ using namespace edgeproof::test;
 
 namespace {
 
-bool have(const char* command) {
-    const bool there = std::system((std::string(command) + " >/dev/null 2>&1").c_str()) == 0;
-    if (!there) {
-        MESSAGE("skipped: not here: ", std::string(command));
-    }
-    return there;
-}
-
 std::filesystem::path third_party() { return source_dir() / "examples" / "third-party"; }
 
 std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
@@ -71,7 +63,7 @@ TEST_CASE("third-party programs have the digits that they state, and the check c
           Program{"gp --version", "true", "gp -q closed_forms.gp", "30", "60"}}) {
         const Programs programs;
         CAPTURE(std::string(program.run));
-        if (have(program.needs)) {
+        if (shell_has(program.needs)) {
             REQUIRE(programs.shell(program.build));
             const Outcome o =
                 ask(programs.folder, program.run, std::string("--digits ") + program.digits);
@@ -84,7 +76,7 @@ TEST_CASE("third-party programs have the digits that they state, and the check c
 
 TEST_CASE("third-party programs: a pipe of the shell") {
     const Programs programs;
-    if (!have("python3 -c 'import csv'")) {
+    if (!shell_has("python3 -c 'import csv'")) {
         return;
     }
     const std::string program = quoted(edgeproof::test::program());
@@ -95,7 +87,7 @@ TEST_CASE("third-party programs: a pipe of the shell") {
 
 TEST_CASE("third-party programs: each of the six deliberate mistakes of one program is named") {
     const Programs programs;
-    if (!have("python3 -c 'import csv'")) {
+    if (!shell_has("python3 -c 'import csv'")) {
         return;
     }
     const Outcome right =

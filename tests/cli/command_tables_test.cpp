@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/cli/run_program.hpp"
 #include "tests/support/namespaces.hpp"
+#include "tests/support/table.hpp"
 
 #include <doctest/doctest.h>
 
@@ -18,18 +19,8 @@ const std::filesystem::path cli_tests = source_dir() / "tests" / "cli";
 /// Returns the cells of each row of a table.
 std::vector<std::vector<std::string>> rows_of(const char* table) {
     std::vector<std::vector<std::string>> rows;
-    for (const std::string& line : lines(file_text(cli_tests / table))) {
-        if (line.empty() || line.starts_with('#')) {
-            continue;
-        }
-        std::vector<std::string> cells;
-        std::size_t from = 0;
-        for (std::size_t bar = 0; (bar = line.find(" | ", from)) != std::string::npos;) {
-            cells.push_back(line.substr(from, bar - from));
-            from = bar + 3;
-        }
-        cells.push_back(line.substr(from));
-        rows.push_back(std::move(cells));
+    for (const TableLine& line : table_lines(std::string("cli/") + table)) {
+        rows.push_back(parts(line.text, " | "));
     }
     return rows;
 }
@@ -111,14 +102,6 @@ bool is_written(const Folder& folder, const std::vector<std::string>& printed, s
     return std::ranges::any_of(printed, [&](const std::string& other) {
         return begins ? other.starts_with(line) : other == line;
     });
-}
-
-std::string repeated(const std::string& text, int times) {
-    std::string all;
-    for (int i = 0; i < times; ++i) {
-        all += text;
-    }
-    return all;
 }
 
 } // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/cli/hertz_ledger.hpp"
+#include "tests/cli/inputs.hpp"
 #include "tests/cli/run_program.hpp"
-#include "tests/cli/tilted_recipe.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Outputs to devices, FIFOs, links, descriptors, files with permissions, and places that cannot be
 // written.
-#include "tests/cli/hertz_ledger.hpp"
+#include "tests/cli/inputs.hpp"
 #include "tests/cli/run_program.hpp"
-#include "tests/cli/tilted_recipe.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/io/foreign_text.hpp"
 #include "edgeproof/report/text/program_line.hpp"
-#include "tests/cli/hertz_ledger.hpp"
+#include "tests/cli/inputs.hpp"
 #include "tests/cli/run_program.hpp"
 #include "tests/support/namespaces.hpp"
 

@@ -4,6 +4,8 @@
 #include "tests/support/namespaces.hpp"
 #include "tests/support/paths.hpp"
 
+#include <doctest/doctest.h>
+
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -30,6 +32,15 @@ inline void copy_files(const Folder& folder) {
 /// The program, for a command of a shell.
 inline std::string called(const std::string& arguments) {
     return "'" + program().string() + "' " + arguments;
+}
+
+/// True if a command of the machine succeeds; a test says that it leaves out what needs it.
+inline bool shell_has(const char* command) {
+    const bool there = std::system((std::string(command) + " >/dev/null 2>&1").c_str()) == 0;
+    if (!there) {
+        MESSAGE("skipped: not here: ", std::string(command));
+    }
+    return there;
 }
 
 /// Runs a shell command in the folder. A file that it redirects to standard input comes after

@@ -2,9 +2,10 @@
 #include "edgeproof/cli/cli.hpp"
 
 #include "edgeproof/precision/interruption.hpp"
-#include "tests/cli/hertz_ledger.hpp"
+#include "tests/cli/inputs.hpp"
 #include "tests/cli/run_program.hpp"
 #include "tests/support/namespaces.hpp"
+#include "tests/support/table.hpp"
 
 #include <doctest/doctest.h>
 #include <flint/flint.h>
@@ -108,20 +109,13 @@ TEST_CASE(
 }
 
 TEST_CASE("deep, long and huge formulas: an answer or one line, never a crash") {
-    const auto repeated = [](int n, const std::string& text) {
-        std::string all;
-        for (int i = 0; i < n; ++i) {
-            all += text;
-        }
-        return all;
-    };
     const std::vector<std::string> formulas{
-        repeated(100'000, "(") + "x" + repeated(100'000, ")"),
-        repeated(199, "(") + "x" + repeated(199, ")"),
-        repeated(1'000'000, "1+") + "1",
-        repeated(5'000, "x+") + "x",
-        repeated(199, "-") + "x",
-        repeated(150, "2^") + "2",
+        repeated("(", 100'000) + "x" + repeated(")", 100'000),
+        repeated("(", 199) + "x" + repeated(")", 199),
+        repeated("1+", 1'000'000) + "1",
+        repeated("x+", 5'000) + "x",
+        repeated("-", 199) + "x",
+        repeated("2^", 150) + "2",
         "2^(2^(2^64))",
         "exp(exp(exp(100)))",
         "gamma(10^30)",
@@ -130,7 +124,7 @@ TEST_CASE("deep, long and huge formulas: an answer or one line, never a crash") 
         "10^-100000*x",
         "((((10^1000)^100)^10)^10)*x",
         "sinh(10^30)",
-        repeated(19'000, "1"),
+        repeated("1", 19'000),
     };
     for (const std::string& f : formulas) {
         const Folder folder;

@@ -2,6 +2,7 @@
 #include "edgeproof/diagnose/diagnose.hpp"
 #include "tests/cli/run_program.hpp"
 #include "tests/support/namespaces.hpp"
+#include "tests/support/table.hpp"
 
 #include <doctest/doctest.h>
 
@@ -15,14 +16,6 @@
 using namespace edgeproof::test;
 
 namespace {
-
-bool shell_has(const char* command) {
-    const bool there = std::system((std::string(command) + " >/dev/null 2>&1").c_str()) == 0;
-    if (!there) {
-        MESSAGE("skipped: not here: ", std::string(command));
-    }
-    return there;
-}
 
 /// A copy of the committed pack.
 struct PackCopy {
@@ -164,11 +157,20 @@ TEST_SUITE("slow") {
             const auto wrong = copy_with(language.wrong);
             CHECK(wrong->shell(language.level("A")) == 1);
             CHECK(has(output(*wrong), ":p: "));
-            // A file with another header is refused.
-            const PackCopy cut;
-            cut.edit("level-a.csv", "id,kind", "id,sort");
-            REQUIRE(cut.shell(language.build) == 0);
-            CHECK(cut.shell(language.level("A")) == 2);
+            // A factor is named, once.
+            const auto doubled =
+                copy_with(std::regex_replace(language.wrong, std::regex("1\\.05"), "2"));
+            CHECK(doubled->shell(language.level("B")) == 1);
+            CHECK(has(output(*doubled), " wrong answers for p are 2"));
+            CHECK(has(output(*doubled), " times the exact ones: factor-2\n"));
+            CHECK(edgeproof::test::parts(output(*doubled), "likely cause").size() == 2);
+            // A file with another header is refused, and so is one without its last row.
+            doubled->edit("level-a.csv", "id,kind", "id,sort");
+            CHECK(doubled->shell(language.level("A")) == 2);
+            const std::string cases = file_text(doubled->folder.path() / "cases.csv");
+            doubled->folder.write("cases.csv",
+                                  cases.substr(0, cases.rfind('\n', cases.size() - 2) + 1));
+            CHECK(doubled->shell(language.level("B")) == 2);
         }
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/cli/hertz_ledger.hpp"
+#include "tests/cli/inputs.hpp"
 #include "tests/cli/run_program.hpp"
 #include "tests/support/namespaces.hpp"
 

@@ -92,16 +92,33 @@ void add_option(CLI::App& sub, const OptionHelp& of, Options::Value& value) {
 
 using nlohmann::json;
 
-/// Adds a line for each key of an object of a schema, and those of its parts.
-void add_keys(std::string& text, const json& all, const json& object, const std::string& margin) {
+/// The words that a value may have, also those of a list.
+std::string words_of(const json& value) {
+    for (const json& part : value.value("oneOf", json::array())) {
+        if (part.contains("enum")) {
+            return words_of(part);
+        }
+    }
+    std::string words;
+    for (const json& word : value.value("enum", json::array())) {
+        words += (words.empty() ? "" : ", ") +
+                 (word.is_string() ? word.get<std::string>() : word.dump());
+    }
+    return words;
+}
+
+/// Adds a line for each key of an object of a schema, and those of its parts; its lines begin at
+/// `from`.
+void add_keys(std::string& text, const json& all, const json& object, const std::string& margin,
+              std::size_t from = 0) {
     for (const char* const list : {"allOf", "anyOf", "oneOf"}) {
         for (const json& part : object.value(list, json::array())) {
-            add_keys(text, all, part.contains("then") ? part["then"] : part, margin);
+            add_keys(text, all, part.contains("then") ? part["then"] : part, margin, from);
         }
     }
     if (object.contains("$ref")) {
         add_keys(text, all, all.at(json::json_pointer(object["$ref"].get<std::string>().substr(1))),
-                 margin);
+                 margin, from);
     }
     const json properties = object.value("properties", json::object());
     for (const auto& [key, value] : properties.items()) {
@@ -109,24 +126,21 @@ void add_keys(std::string& text, const json& all, const json& object, const std:
             continue;
         }
         std::string says = value.value("description", "");
-        for (const json& word : value.value("enum", json::array())) {
-            says += (says.empty()               ? ""
-                     : word == value["enum"][0] ? " "
-                                                : ", ") +
-                    (word.is_string() ? word.get<std::string>() : word.dump());
-        }
+        const std::string words = words_of(value);
+        says += (says.empty() || words.empty() ? "" : " ") + words;
         const std::string line =
             says.empty() ? margin + key + "\n"
                          : fmt::format("{}{:<{}}{}\n", margin, key + " ", 20 - margin.size(), says);
-        if (text.find("\n" + line) == std::string::npos) {
+        if (text.find("\n" + line, from) == std::string::npos) {
             text += line;
         }
+        const std::size_t inner = margin.empty() ? text.rfind("\n" + line) + line.size() : from;
         for (const char* const of : {"items", "additionalProperties"}) {
             if (value.contains(of) && value[of].is_object()) {
-                add_keys(text, all, value[of], margin + "  ");
+                add_keys(text, all, value[of], margin + "  ", inner);
             }
         }
-        add_keys(text, all, value, margin + "  ");
+        add_keys(text, all, value, margin + "  ", inner);
     }
 }
 

@@ -146,6 +146,9 @@ struct Scene::Solved {
         std::vector<scene::AskedValue> together; // a solved scene has one tolerance, one reference
         for (const Query& query : queries) {
             asked.push_back(asked_of(query, names));
+            if (const auto lack = lack_of(scene, asked.back())) {
+                throw InputError(lack->problem, lack->instead);
+            }
             if (!asked.back().tolerance && !asked.back().reference) {
                 together.push_back(asked.back());
             }

@@ -27,10 +27,8 @@ struct GridAxis {
 /// A scene of a recipe; every contact of its grid has the same questions.
 struct GridScene {
     std::string name;
-    std::size_t line = 0;
+    io::TomlSection section;
     std::vector<GridAxis> axes;
-    std::vector<Question> asked; ///< for one contact; their ids lack the part of the contact
-    std::size_t asked_line = 0;  ///< of the quantities
 };
 
 constexpr long most_digits_of_a_recipe = 100'000;
@@ -102,22 +100,6 @@ std::vector<GridAxis> read_axes(const io::TomlSection& scene) {
     return axes;
 }
 
-std::vector<io::TomlSection::Item> read_points(const io::TomlSection& scene) {
-    std::vector<io::TomlSection::Item> points;
-    if (scene.has("u") && scene.is_table("u")) {
-        for (const formula::Exact& u : read_range(scene, "u")) {
-            points.push_back({u, scene.line("u")});
-        }
-    } else if (scene.has("u")) {
-        points = scene.exacts("u");
-    }
-    for (const auto& [u, line] : points) {
-        scene.require(u.sign() > 0, line, "u = " + u.text() + " is not inside the contact",
-                      "give distances from the edge, 0 < u < a + b");
-    }
-    return points;
-}
-
 /// The points of the bodies: `points` (x, z) in each of the `bodies`, A if none are named.
 std::vector<scene::BodyPoint> read_body_points(const io::TomlSection& scene) {
     std::vector<scene::BodyPoint> points;
@@ -135,10 +117,11 @@ std::vector<scene::BodyPoint> read_body_points(const io::TomlSection& scene) {
     return points;
 }
 
-/// Reads the questions for one contact, in the order of the rows. `line`: of the quantities.
-std::vector<Question> read_asked(const io::TomlSection& scene, std::size_t& line) {
+/// Reads the questions for a contact, in the order of the rows; their ids lack the part of the
+/// contact.
+std::vector<Question> read_asked(const io::TomlSection& scene, const scene::Scene& contact) {
     std::vector<scene::NamedQuantity> quantities;
-    line = scene.line("quantities");
+    const std::size_t line = scene.line("quantities");
     for (const std::string& name : scene.texts("quantities")) {
         const auto quantity = scene::quantity_named(name);
         scene.require(quantity.has_value(), "quantities", "unknown quantity '" + name + "'",
@@ -147,7 +130,7 @@ std::vector<Question> read_asked(const io::TomlSection& scene, std::size_t& line
     }
     const std::vector<contact::Edge> edges =
         scene.has("edges") ? scene::read_edges(scene) : std::vector{contact::Edge::right};
-    const auto points = read_points(scene);
+    const std::vector<scene::AskedPoint> points = scene::read_places(scene, names_of(contact));
     std::vector<formula::Exact> tolerances;
     if (scene.has("tolerance")) {
         io::at_place(scene.file(), scene.line("tolerance"), [&] {
@@ -209,10 +192,19 @@ std::vector<Question> read_asked(const io::TomlSection& scene, std::size_t& line
             add(questions(from + ":tolerance=" + tolerance.text(), value, to_tolerance));
         }
         value.tolerance.reset();
-        for (const auto& [u, of_u] : points) {
-            value.u = u;
-            for (Question& q : questions(from + ":u=" + u.text(), value, at_point)) {
-                q.line = of_u;
+        for (const scene::AskedPoint& point : points) {
+            value.u = point.place ? point.distance(edge).number() : point.u;
+            scene.require(value.u && value.u->sign() > 0, point.line,
+                          point.text() + " is not inside the contact, or not at a distance from "
+                                         "its edge that is a number",
+                          "give a in [load], or distances u as numbers");
+            const std::string text = point.text();
+            const std::string place =
+                point.place && point.place->from() == scene::Place::From::origin
+                    ? ":x=" + text.substr(text.find('=') + 2)
+                    : ":u=" + text;
+            for (Question& q : questions(from + place, value, at_point)) {
+                q.line = point.line;
                 list.push_back(std::move(q));
             }
         }
@@ -234,7 +226,7 @@ std::pair<AskedContact, std::string> at_contact(const GridScene& scene, std::siz
         parameters.push_back({axis->key, value, axis->line});
         id.insert(0, axis->grid ? ":" + axis->key + "=" + value : "");
     }
-    return {make_asked_contact(std::move(parameters), file, scene.line), scene.name + id};
+    return {make_asked_contact(std::move(parameters), file, scene.section.line()), scene.name + id};
 }
 
 /// The questions of all scenes. Throws InputError for a question asked twice, for one that a
@@ -248,16 +240,18 @@ Questions questions_of(const std::vector<GridScene>& scenes, const std::string& 
         for (const GridAxis& axis : scene.axes) {
             contacts = std::min(contacts * axis.values.size(), most_questions + 1);
         }
-        if (all.list.size() + contacts * scene.asked.size() > most_questions) {
-            throw InputError("more than a million questions", "split the recipe")
-                .at(file, scene.asked.front().line);
-        }
+        const std::size_t line = scene.section.line("quantities");
         for (std::size_t c = 0; c < contacts; ++c) {
             auto [contact, id] = at_contact(scene, c, file);
             all.contacts.push_back(std::move(contact));
-            for (Question q : scene.asked) {
+            std::vector<Question> asked = io::at_place(file, scene.section.line(), [&] {
+                return read_asked(scene.section, all.contacts.back().scene);
+            });
+            scene.section.require(all.list.size() + (contacts - c) * asked.size() <= most_questions,
+                                  line, "more than a million questions", "split the recipe");
+            for (Question& q : asked) {
                 if (c == 0) {
-                    check_askable(all.contacts.back(), q, file, scene.asked_line);
+                    check_askable(all.contacts.back(), q, file, line);
                 }
                 q.id.insert(0, id);
                 if (!ids.insert(q.id).second) {
@@ -303,12 +297,10 @@ Recipe parse_recipe(std::string_view text, const std::string& file) {
                            "a spreadsheet or a program would change the ids",
                        "write a name of letters and digits");
         }
-        scene.allow({"profile", "load", "shear", "steps", "edges", "u", "points", "bodies",
+        scene.allow({"profile", "load", "shear", "steps", "edges", "u", "x", "points", "bodies",
                      "tolerance", "quantities"});
         io::at_place(file, scene.line(), [&] {
-            GridScene read{name, scene.line(), read_axes(scene), {}, 0};
-            read.asked = read_asked(scene, read.asked_line);
-            scenes.push_back(std::move(read));
+            scenes.push_back({name, scene, read_axes(scene)});
         });
     }
     if (scenes.empty()) {

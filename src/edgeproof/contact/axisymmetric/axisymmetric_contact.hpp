@@ -70,8 +70,9 @@ public:
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
     [[nodiscard]] std::size_t cost() const override { return linear_ ? 10 : 100; }
 
-    /// The integral of h'(s) sqrt(s^2 - r^2) over r < s < a (length^2), for r > 0.
-    [[nodiscard]] Ball outer_moment(const Exact& r) const;
+    /// The integral of h'(s) sqrt(s^2 - r^2) over r < s < a (length^2), for r > 0; `known`: r, if
+    /// it is a number.
+    [[nodiscard]] Ball outer_moment(const Ball& r, const std::optional<Exact>& known) const;
     /// The gap (length) between the bodies at the distance `beyond` >= 0 (length) outside the edge.
     [[nodiscard]] Ball gap_beyond(const Ball& beyond) const;
     /// Returns the integral of (1 - tau/2) P - L over the approach (force x length), where the

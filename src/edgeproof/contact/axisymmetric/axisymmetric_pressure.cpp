@@ -53,9 +53,9 @@ Ball AxisymmetricContact::pressure(Edge edge, const Ball& u, const Exact& x) con
     return pressure(on_ring(place_of(edge, u), x), false);
 }
 
-Ball AxisymmetricContact::outer_moment(const Exact& r) const {
-    const Ball x = enclosed_constant(r, bits_);
-    return over_widths(on_ring({a_ - x, a_ + x, x, {}}, r), true);
+Ball AxisymmetricContact::outer_moment(const Ball& r, const std::optional<Exact>& known) const {
+    const Place at{a_ - r, a_ + r, r, {}};
+    return over_widths(known ? on_ring(at, *known) : at, true);
 }
 
 Ball AxisymmetricContact::pressure(Edge edge, const Ball& u) const {

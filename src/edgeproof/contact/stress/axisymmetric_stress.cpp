@@ -123,10 +123,10 @@ StressState AxisymmetricStress::on_surface(const Ball& radius,
     if (!certainly_positive(beyond)) {
         const Ball& a = contact_.a();
         if (of_revolution_ != nullptr) {
-            require(known.has_value(), "the radius of a place on the surface depends on a and b",
-                    "give the radius as a number");
-            p = of_revolution_->pressure(Edge::right, -beyond, *known);
-            inner -= contact_.modulus() / pi * of_revolution_->outer_moment(*known);
+            const Ball u = clamped(-beyond);
+            p = known ? of_revolution_->pressure(Edge::right, u, *known)
+                      : of_revolution_->pressure(Edge::right, u);
+            inner -= contact_.modulus() / pi * of_revolution_->outer_moment(radius, known);
         } else {
             // (m + 2) times the integral is h'(a) a W - r^2 pi p/E*
             const Ball from_edge = clamped(-beyond);

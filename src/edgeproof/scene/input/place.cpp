@@ -24,6 +24,15 @@ struct EdgesInBalls {
     [[nodiscard]] Ball symbol(std::string_view name) const { return name == "a" ? a : b; }
 };
 
+/// The value of a constant, if exact algebra knows it to be rational.
+std::optional<Rational> known_rational(const Expr& e) {
+    try {
+        return algebra::form_of(e, [](auto) { return Form(); }).rational();
+    } catch (const Error&) { // no exact form
+        return {};
+    }
+}
+
 bool constant(const Expr& e) { return formula::free_symbols(e).empty(); }
 
 /// Returns the value of an expression without names, with a short text if it is rational.
@@ -101,6 +110,31 @@ Place Place::parse(std::string_view text, From from, const Names& names) {
     }
     Place place((from == From::origin ? "x = " : "") + std::string(text), from, std::move(value),
                 names);
+    return place;
+}
+
+Place Place::between(const Place& from, const Place& to, const Rational& t) {
+    Expr value = from.value_ * Expr::number(Rational(1 - t)) + to.value_ * Expr::number(t);
+    const auto in_a = contact::as_linear(value, "a");
+    if (const auto in_b = in_a ? contact::as_linear(in_a->at_origin, "b") : std::nullopt) {
+        const Expr one = Expr::number(Rational(1));
+        std::optional<Expr> sum;
+        for (const auto& [factor, of] : {std::pair(in_a->rate, Expr::symbol("a")),
+                                         {in_b->rate, Expr::symbol("b")},
+                                         {in_b->at_origin, one}}) {
+            const auto q = known_rational(factor);
+            if (!q || *q != 0) {
+                const Expr term = !q || of == one ? factor * of
+                                  : *q == 1       ? of
+                                                  : Expr::number(*q) * of;
+                sum = sum ? *sum + term : term;
+            }
+        }
+        value = sum.value_or(Expr::number(Rational(0)));
+    }
+    Place place = from;
+    place.value_ = value;
+    place.text_ = (from.from_ == From::origin ? "x = " : "") + formula::to_text(value);
     return place;
 }
 

@@ -71,6 +71,9 @@ public:
     /// Throws InputError for a text that is not a formula in these names, a and b.
     [[nodiscard]] static Place parse(std::string_view text, From from, const Names& names);
 
+    /// from + t (to - from), between two places of one kind.
+    [[nodiscard]] static Place between(const Place& from, const Place& to, const Rational& t);
+
     /// For example "a/2", "x = t + 1/10".
     [[nodiscard]] const std::string& text() const { return text_; }
     /// The distance from the edge, or x, if it depends on neither a nor b.

@@ -58,7 +58,9 @@ std::optional<NamedQuantity> named_by(std::string_view QuantityRow::*symbol,
 } // namespace
 
 std::optional<NamedQuantity> quantity_named(std::string_view symbol) {
-    return named_by(&QuantityRow::symbol, symbol);
+    // the words of scenes and of the columns of slip
+    const std::string_view name = symbol == "peak" ? "p_max" : symbol == "d" ? "slip" : symbol;
+    return named_by(&QuantityRow::symbol, name);
 }
 
 std::optional<NamedQuantity> column_named(std::string_view name) {
@@ -243,7 +245,9 @@ std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
           "revolution",
           "leave tolerance out"}},
         {round_stress && scene.shear,
-         {name + " of an axisymmetric contact is computed without shear", "leave [shear] out"}},
+         {name + " of an axisymmetric contact is computed without shear, under which it is not "
+                 "axisymmetric",
+          "leave [shear] out"}},
         {round_stress && !scene.poisson(Body::A),
          {problem + "Poisson's ratio", "add nu = \"0.3\" to [load]"}},
     });

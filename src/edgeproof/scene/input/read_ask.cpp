@@ -26,6 +26,9 @@ const GroupRow& group_of(const io::TomlSection& ask, const std::string& name) {
         }
         names.push_back(row.name);
     }
+    if (const auto named = column_named(name)) { // p_max, c_0, d, ...: as in recipes
+        return group_rows()[static_cast<std::size_t>(row_of(named->quantity).group)];
+    }
     ask.reject("quantities", "unknown quantity '" + name + "'", one_of(name, names));
 }
 
@@ -93,20 +96,15 @@ public:
         return from_ == Place::From::edge && number ? inside({*number, item.line, {}, item.text})
                                                     : AskedPoint{Exact(), item.line, place};
     }
-    [[nodiscard]] Exact number(std::string_view end) const {
+    /// An end of a range.
+    [[nodiscard]] Place place(std::string_view end) const {
         const io::TomlSection::Written item = section_.numbers_written(end).at(0);
-        if (!has_names(item.text)) {
-            return section_.exact(end);
-        }
-        const auto number =
-            with_line(item, [&] { return Place::parse(item.text, from_, names_).number(); });
-        if (!number) {
-            section_.reject(item.line,
-                            std::string(end) + " = " + item.text +
-                                " is not a number: it depends on a and b, which are unknown",
-                            "give a number, or a list of places");
-        }
-        return *number;
+        return with_line(item, [&] { return Place::parse(item.text, from_, names_); });
+    }
+    [[nodiscard]] std::optional<Exact> number(std::string_view end) const {
+        const io::TomlSection::Written item = section_.numbers_written(end).at(0);
+        return has_names(item.text) ? with_line(item, [&] { return place(end).number(); })
+                                    : section_.exact(end);
     }
     [[nodiscard]] AskedPoint inside(AskedPoint point) const {
         section_.require(sign_of(section_, key_, point.u) > 0, point.line,
@@ -142,11 +140,26 @@ void read_range(const io::TomlSection& ask, std::string_view key, Place::From fr
                 const Place::Names& names, std::vector<AskedPoint>& points) {
     const bool by_x = from == Place::From::origin;
     const std::size_t line = ask.line(key);
+    const io::TomlSection range = ask.section(key);
+    const PlaceReader reader(range, by_x ? "x" : "from", from, names);
+    const bool ends = range.has("from") && range.has("to") && range.has("points");
+    if (ends && !(reader.number("from") && reader.number("to"))) { // they depend on a and b
+        const auto last = static_cast<long>(range.count("points", 2, 100'000)) - 1;
+        for (long k = 0; k <= last; ++k) {
+            points.push_back(
+                {Exact(), line,
+                 Place::between(reader.place("from"), reader.place("to"), Rational(k, last))});
+        }
+        return;
+    }
     const std::vector<Exact> all =
-        points_of_range(ask, key, by_x, [&](const io::TomlSection& range, std::string_view end) {
-            const PlaceReader reader(range, by_x ? "x" : "from", from, names);
-            const Exact number = reader.number(end);
-            return by_x || end == "to" ? number : reader.inside({number, line}).u;
+        points_of_range(ask, key, by_x, [&](const io::TomlSection&, std::string_view end) {
+            const auto number = reader.number(end);
+            range.require(number.has_value(), end,
+                          std::string(end) + " is not a number: it depends on a and b, which are "
+                                             "unknown",
+                          "give points in place of per_decade, or a list of places");
+            return by_x || end == "to" ? *number : reader.inside({*number, line}).u;
         });
     for (std::size_t i = 0; i < all.size(); ++i) {
         points.push_back(by_x ? AskedPoint{Exact(), line, Place::parse(all[i].text(), from, names)}
@@ -167,7 +180,8 @@ Place::Names names_of(const io::TomlSection& profile, const Scene& scene) {
     return names;
 }
 
-/// Reads u and x: lists or ranges.
+} // namespace
+
 std::vector<AskedPoint> read_places(const io::TomlSection& ask, const Place::Names& names) {
     std::vector<AskedPoint> points;
     for (const auto& [key, from] :
@@ -186,8 +200,6 @@ std::vector<AskedPoint> read_places(const io::TomlSection& ask, const Place::Nam
     }
     return points;
 }
-
-} // namespace
 
 std::vector<Edge> read_edges(const io::TomlSection& section) {
     std::vector<Edge> edges;

@@ -52,6 +52,9 @@ using EndOfRange = std::function<Exact(const io::TomlSection& range, std::string
 /// The names that places of a scene may use in addition to a and b: the parameters of its profile,
 /// a and b themselves if they are given, and b as a if the two are equal.
 [[nodiscard]] Place::Names names_of(const Scene& scene);
+/// Reads u and x of a section, lists or ranges; places are in these names, a and b.
+[[nodiscard]] std::vector<AskedPoint> read_places(const io::TomlSection& ask,
+                                                  const Place::Names& names);
 /// Returns the point of a body at x and the depth z, which are formulas in the names, a and b.
 /// Throws InputError for a number z < 0, too.
 [[nodiscard]] BodyPoint body_point(const std::string& x, const std::string& z, Body body,

@@ -112,7 +112,7 @@ std::size_t key_length(const std::string& word) {
     const bool is_key =
         equals != std::string::npos && equals > 0 &&
         std::all_of(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(equals),
-                    [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; }) &&
+                    [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '*'; }) &&
         !std::filesystem::is_regular_file(word, failed);
     return is_key ? equals : std::string::npos;
 }

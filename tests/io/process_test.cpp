@@ -91,8 +91,9 @@ TEST_CASE("clean_up: an incomplete file is removed, a complete one remains") {
     const test::Folder own;
     const std::filesystem::path& folder = own.path();
     CHECK(in_a_process([&] {
-              AtomicFile(folder / "done").commit("all");
-              const AtomicFile open(folder / "open");
+              write_whole(folder / "done", "all");
+              const TemporaryPath open(folder / "open");
+              std::ofstream(open.path()) << "a part";
               clean_up();
               ::_exit(0);
           }) == 0);
@@ -108,10 +109,7 @@ TEST_CASE("an interrupted process writes no result") {
     const test::Folder own;
     const std::filesystem::path& folder = own.path();
     request_interruption(SIGTERM);
-    {
-        AtomicFile result(folder / "result");
-        CHECK_THROWS_AS(result.commit("of work cut off"), Interrupted);
-    }
+    CHECK_THROWS_AS(write_whole(folder / "result", "of work cut off"), Interrupted);
     withdraw_interruption();
     CHECK_FALSE(std::filesystem::exists(folder / "result"));
 }

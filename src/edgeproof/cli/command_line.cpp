@@ -40,10 +40,6 @@ bool value_follows(const CLI::Option* option, std::string_view word) {
     return option->get_expected_min() > 0 && word.find('=') == std::string_view::npos;
 }
 
-constexpr std::string_view kinds[] = {
-    "power-law",        "hertz",        "cylinder-on-flat",       "sphere", "wedge", "cone",
-    "flat-and-rounded", "tilted-wedge", "tilted-flat-and-rounded"};
-
 /// True for a word that stands for a scene, and not for a number.
 bool names_scene(const std::string& word) {
     std::error_code failed;
@@ -97,7 +93,7 @@ std::vector<std::string> with_words(const CLI::App& app,
         const bool of_scene = word.starts_with("--") && option == nullptr && takes_words(*current);
         checked = checked && word != "--";
         name = of_scene ? name.substr(2) : "";
-        if (std::ranges::find(kinds, name) != std::end(kinds) && equals == word.size()) {
+        if (std::ranges::count(scene::profile_kinds(), name) > 0 && equals == word.size()) {
             words.push_back("kind=" + name);
             continue;
         }

@@ -2,6 +2,7 @@
 #include "edgeproof/io/foreign_text.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>

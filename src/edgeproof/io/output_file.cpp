@@ -18,6 +18,7 @@
 #include <cstring>
 #include <fstream>
 #include <mutex>
+#include <optional>
 #include <random>
 #include <set>
 #include <system_error>
@@ -156,7 +157,7 @@ namespace {
 
 constexpr std::size_t most_of_head = 4096;
 
-/// The files that commit() has created.
+/// The files that write_whole() has created.
 std::atomic<std::size_t> created{0};
 
 std::filesystem::path folder_of(const std::filesystem::path& file) {
@@ -214,6 +215,18 @@ void cannot(const std::string& what, const std::filesystem::path& path, int erro
                      give_writable_folder);
 }
 
+namespace {
+
+/// The target of a file to be written: links are followed, devices and FIFOs are detected.
+struct OutputTarget {
+    std::filesystem::path path;   ///< not a link
+    int descriptor = -1;          ///< of this process, for /dev/stdout, /dev/fd/N, /proc/self/fd/N
+    bool special = false;         ///< not a regular file: written directly, and never replaced
+    std::optional<unsigned> mode; ///< permissions of an existing file
+    /// Throws InputError for a folder and for a chain of more than forty links.
+    [[nodiscard]] static OutputTarget of(const std::filesystem::path& file);
+};
+
 OutputTarget OutputTarget::of(const std::filesystem::path& file) {
     OutputTarget target;
     target.path = file;
@@ -244,6 +257,23 @@ OutputTarget OutputTarget::of(const std::filesystem::path& file) {
     return target;
 }
 
+/// An open file, which is closed, and removed if it has a temporary name.
+struct OpenFile {
+    int fd = -1;
+    std::filesystem::path temporary = {};
+
+    ~OpenFile() {
+        if (fd >= 0) {
+            ::close(fd);
+        }
+        if (!temporary.empty()) {
+            ::unlink(temporary.c_str());
+        }
+    }
+};
+
+} // namespace
+
 std::filesystem::path temporary_name(const std::filesystem::path& target) {
     std::random_device random;
     return target.string() + fmt::format(".{:08x}{:08x}.tmp", random(), random());
@@ -251,73 +281,50 @@ std::filesystem::path temporary_name(const std::filesystem::path& target) {
 
 std::size_t files_created() { return created; }
 
-AtomicFile::AtomicFile(std::filesystem::path file)
-    : file_(std::move(file)), target_(OutputTarget::of(file_)),
-      aside_(temporary_name(target_.path)) {
-    if (target_.special) {
-        fd_ = target_.descriptor >= 0
-                  ? ::fcntl(target_.descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)
-                  : ::open(target_.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
-        if (fd_ < 0) {
-            cannot("write", file_, errno);
+void write_whole(const std::filesystem::path& file, const std::string& text) {
+    const OutputTarget target = OutputTarget::of(file);
+    TemporaryPath aside(temporary_name(target.path));
+    OpenFile open;
+    const auto require_done = [&](bool done) {
+        if (!done) {
+            cannot("write", file, errno);
         }
-        return;
-    }
-    std::error_code reported_below;
-    std::filesystem::create_directories(folder_of(target_.path), reported_below);
-    fd_ = open_unnamed(folder_of(target_.path));
-    if (fd_ < 0) {
-        named_ = true;
-        fd_ = ::open(aside_.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    }
-    if (fd_ < 0 || (target_.mode && ::fchmod(fd_, *target_.mode) != 0)) {
-        cannot("write", file_, errno);
-    }
-}
-
-AtomicFile::~AtomicFile() {
-    if (fd_ >= 0) {
-        ::close(fd_);
-        if (named_) {
-            ::unlink(aside_.path().c_str());
+    };
+    if (target.special) {
+        open.fd = target.descriptor >= 0
+                      ? ::fcntl(target.descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)
+                      : ::open(target.path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    } else {
+        std::error_code reported_below;
+        std::filesystem::create_directories(folder_of(target.path), reported_below);
+        open.fd = open_unnamed(folder_of(target.path));
+        if (open.fd < 0) {
+            open.fd = ::open(aside.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            open.temporary = open.fd < 0 ? std::filesystem::path() : aside.path();
         }
     }
-}
-
-void AtomicFile::give_name() {
-    const std::string by_number = "/proc/self/fd/" + std::to_string(fd_);
-    if (::linkat(AT_FDCWD, by_number.c_str(), AT_FDCWD, aside_.path().c_str(), AT_SYMLINK_FOLLOW) !=
-        0) {
-        cannot("write", file_, errno);
-    }
-    named_ = true;
-}
-
-void AtomicFile::commit(const std::string& text) {
+    require_done(open.fd >= 0 &&
+                 (target.special || !target.mode || ::fchmod(open.fd, *target.mode) == 0));
     check_interruption(); // a result may be incomplete then
-    if (const int error = write_all(fd_, text); error != 0) {
-        cannot("write", file_, error);
+    if (const int error = write_all(open.fd, text); error != 0) {
+        cannot("write", file, error);
     }
-    if (target_.special) {
-        ::close(fd_);
-        fd_ = -1;
+    if (target.special) {
         return;
     }
-    require_replaceable(file_, std::string_view(text).substr(0, most_of_head));
-    if (::fsync(fd_) != 0) {
-        cannot("write", file_, errno);
-    }
+    require_replaceable(file, std::string_view(text).substr(0, most_of_head));
+    require_done(::fsync(open.fd) == 0);
     const auto lock = hold_cleanup();
-    if (!named_) {
-        give_name();
+    if (open.temporary.empty()) { // it gets a name
+        const std::string by_number = "/proc/self/fd/" + std::to_string(open.fd);
+        require_done(::linkat(AT_FDCWD, by_number.c_str(), AT_FDCWD, aside.path().c_str(),
+                              AT_SYMLINK_FOLLOW) == 0);
+        open.temporary = aside.path();
     }
-    if (::rename(aside_.path().c_str(), target_.path.c_str()) != 0) {
-        cannot("write", file_, errno);
-    }
-    aside_.keep_locked();
-    created += target_.mode ? 0 : 1;
-    ::close(fd_);
-    fd_ = -1;
+    require_done(::rename(aside.path().c_str(), target.path.c_str()) == 0);
+    open.temporary.clear();
+    aside.keep_locked();
+    created += target.mode ? 0 : 1;
 }
 
 namespace {
@@ -335,10 +342,6 @@ void flush_printed() {
 }
 
 } // namespace
-
-void write_whole(const std::filesystem::path& file, const std::string& text) {
-    AtomicFile(file).commit(text);
-}
 
 void write_output(const std::filesystem::path& file, const std::string& text) {
     if (file != "-") {

@@ -6,15 +6,16 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 
 namespace edgeproof::io {
 
-/// Writes the text to a temporary file and renames it to `file` (a missing folder is created), so
-/// that a reader sees either the old file or the complete new one. Throws InputError if it cannot
-/// be written (the part written is removed), Interrupted after an interruption.
+/// Writes a file that others see only when it is complete: until then it has no name, or, if the
+/// file system does not support that, a temporary one. A missing folder is created. Throws
+/// InputError if the file cannot be written or replaced (require_replaceable), Interrupted after an
+/// interruption; no text remains then. A link is kept, and its target is written; an existing file
+/// keeps its permissions; a device, a FIFO or an open descriptor is written directly.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
 void write_output(const std::filesystem::path& file, const std::string& text);
@@ -81,43 +82,8 @@ inline constexpr const char* give_writable_folder =
 /// ("t.csv.0123456789abcdef.tmp").
 [[nodiscard]] std::filesystem::path temporary_name(const std::filesystem::path& target);
 
-/// The files that did not exist before an AtomicFile of this process wrote them.
+/// The files that did not exist before write_whole() of this process wrote them.
 [[nodiscard]] std::size_t files_created();
-
-/// The target of a file to be written: links are followed, devices and FIFOs are detected.
-struct OutputTarget {
-    std::filesystem::path path;   ///< not a link
-    int descriptor = -1;          ///< of this process, for /dev/stdout, /dev/fd/N, /proc/self/fd/N
-    bool special = false;         ///< not a regular file: written directly, and never replaced
-    std::optional<unsigned> mode; ///< permissions of an existing file
-    /// Throws InputError for a folder and for a chain of more than forty links.
-    [[nodiscard]] static OutputTarget of(const std::filesystem::path& file);
-};
-
-/// A file visible to others only when it is complete. Until then it has no name, or, if the file
-/// system does not support that, a temporary one. A missing folder is created. Throws InputError if
-/// the file cannot be written or replaced (require_replaceable), Interrupted after an interruption;
-/// no text remains then, as without commit(). A link is kept, and its target is written; an
-/// existing file keeps its permissions; a device, a FIFO or an open descriptor is written directly.
-class AtomicFile {
-public:
-    explicit AtomicFile(std::filesystem::path file);
-    ~AtomicFile();
-    AtomicFile(const AtomicFile&) = delete;
-    AtomicFile& operator=(const AtomicFile&) = delete;
-
-    /// Writes the whole text, and gives the file its name.
-    void commit(const std::string& text);
-
-private:
-    void give_name();
-
-    std::filesystem::path file_; ///< as the user named it
-    OutputTarget target_;
-    TemporaryPath aside_; ///< its temporary name
-    int fd_ = -1;
-    bool named_ = false;
-};
 
 // No output replaces a file of the user.
 

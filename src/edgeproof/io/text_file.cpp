@@ -83,14 +83,6 @@ std::string read_text(const std::filesystem::path& file, const std::string& what
     return text;
 }
 
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    std::ranges::transform(lower, lower.begin(), [](char c) {
-        return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-    });
-    return lower;
-}
-
 std::string_view trimmed(std::string_view text, std::string_view blanks) {
     const std::size_t from = text.find_first_not_of(blanks);
     return from == std::string_view::npos

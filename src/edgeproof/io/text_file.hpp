@@ -20,8 +20,6 @@ inline constexpr std::size_t most_text_bytes = 1'000'000'000;
 [[nodiscard]] std::string read_text(const std::filesystem::path& file, const std::string& what,
                                     std::size_t most = most_text_bytes);
 
-/// The text with ASCII letters in lower case.
-[[nodiscard]] std::string lower_case(std::string_view text);
 /// The text without blanks at its ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text, std::string_view blanks = " \t");
 /// The parts between blanks and line ends. (clang 14 does not compile std::views.)

@@ -70,14 +70,6 @@ std::string escaped(std::string_view text, bool lines) {
     return out;
 }
 
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower) {
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    }
-    return lower;
-}
-
 /// Returns the Damerau-Levenshtein distance with adjacent swaps (optimal string alignment).
 std::size_t edit_distance(std::string_view x, std::string_view y) {
     std::vector<std::size_t> before(y.size() + 1);
@@ -106,6 +98,14 @@ std::size_t edit_distance(std::string_view x, std::string_view y) {
 std::string printable(std::string_view text) { return escaped(text, false); }
 std::string printable_lines(std::string_view text) { return escaped(text, true); }
 
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower) {
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return lower;
+}
+
 std::string shortened(std::string_view text, std::size_t most) {
     static constexpr std::string_view between = " [...] ";
     if (text.size() <= most || most <= between.size()) {
@@ -129,6 +129,10 @@ std::string_view near_name(std::string_view name, std::span<const std::string_vi
         return {};
     }
     const std::string lower = lower_case(name);
+    const auto modulus = std::ranges::find(candidates, "contact_modulus");
+    if (modulus != candidates.end() && (lower == "es" || lower == "estar" || lower == "e*")) {
+        return *modulus; // the symbol of textbooks
+    }
     std::string_view nearest;
     std::size_t least = std::numeric_limits<std::size_t>::max();
     for (const std::string_view candidate : candidates) {

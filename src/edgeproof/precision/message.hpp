@@ -16,6 +16,9 @@ namespace edgeproof {
 /// The same for a text of many lines and columns: line breaks and tabs are kept.
 [[nodiscard]] std::string printable_lines(std::string_view text);
 
+/// The text with ASCII letters in lower case.
+[[nodiscard]] std::string lower_case(std::string_view text);
+
 /// Returns a text of more than `most` bytes without its middle; no character is split.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t most);
 

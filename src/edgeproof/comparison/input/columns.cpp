@@ -4,6 +4,7 @@
 #include "edgeproof/io/foreign_text.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/message.hpp"
 #include "edgeproof/scene/input/scene_words.hpp"
 
 #include <fmt/format.h>

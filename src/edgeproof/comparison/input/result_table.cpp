@@ -6,6 +6,7 @@
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/message.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <fmt/format.h>

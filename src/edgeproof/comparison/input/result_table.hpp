@@ -20,7 +20,6 @@ enum class ColumnRole { place, pressure, shear, gap, slip, sxx };
 /// The roles that are compared if the data have them, in addition to p and q.
 inline constexpr std::array surface_roles{ColumnRole::gap, ColumnRole::slip, ColumnRole::sxx};
 
-using io::lower_case;
 using io::trimmed;
 
 /// The parts of a column's name, such as "CPRESS [MPa]", "x / mm", "x_mm".

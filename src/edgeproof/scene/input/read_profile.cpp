@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <iterator>
 #include <string>
 
 namespace edgeproof::scene {
@@ -19,9 +20,11 @@ namespace {
 
 /// Two cylinders or spheres, or one on a flat: g' = x/R with 1/R = 1/R1 + 1/R2 (`johnson1985`,
 /// section 4.2). A negative radius is that of a hollow; the sum of the curvatures must be positive.
-Profile read_round_bodies(const io::TomlSection& section, bool two, std::optional<Radii>& radii) {
-    section.allow(two ? std::vector<std::string_view>{"kind", "geometry", "R", "R1", "R2"}
-                      : std::vector<std::string_view>{"kind", "geometry", "R"});
+Profile read_round_bodies(const io::TomlSection& section, std::vector<std::string_view> keys,
+                          std::optional<Radii>& radii) {
+    const bool two = keys.size() > 1;
+    keys.insert(keys.begin(), {"kind", "geometry"});
+    section.allow(keys);
     const auto curvature = [&](std::string_view key) {
         const Exact R = contact_constant(section, key);
         if (io::at_place(section.file(), section.line(key), [&] { return R.sign(); }) == 0) {
@@ -115,19 +118,22 @@ Profile wedge(const Get& get) {
     return Profile::power_law(phi, Exact(whole(0)));
 }
 
-/// A kind of profile that is made of a few numbers.
+/// A kind of profile with its numbers; without `profile` it has a reader of its own.
 struct ProfileKind {
     std::string_view name;
     std::vector<std::string_view> parameters;
-    Profile (*profile)(const Get&);
+    Profile (*profile)(const Get&) = nullptr;
     contact::TiltedPunch (*punch)(const Get&) = nullptr; ///< if the tilt can be solved for
 };
 
-const std::vector<ProfileKind>& profile_kinds() {
+const std::vector<ProfileKind>& all_kinds() {
     static const std::vector<ProfileKind> kinds{
         {"power-law",
          {"m", "C"},
          [](const Get& get) { return Profile::power_law(get("C"), get("m")); }},
+        {"hertz", {"R", "R1", "R2"}},
+        {"cylinder-on-flat", {"R"}},
+        {"sphere", {"R", "R1", "R2"}},
         {"wedge", {"phi"}, wedge},
         {"cone", {"phi"}, wedge},
         {"flat-and-rounded",
@@ -143,6 +149,7 @@ const std::vector<ProfileKind>& profile_kinds() {
              return Profile::tilted_flat_and_rounded(get("alpha"), get("t"), get("R"));
          },
          [](const Get& get) { return contact::TiltedPunch::flat_and_rounded(get("t"), get("R")); }},
+        {"piecewise", {}},
     };
     return kinds;
 }
@@ -174,13 +181,19 @@ void check_exponent(const io::TomlSection& section) {
     }
 }
 
+const std::vector<std::string_view>& profile_kinds() {
+    static const std::vector<std::string_view> names = [] {
+        std::vector<std::string_view> all;
+        std::ranges::transform(all_kinds(), std::back_inserter(all), &ProfileKind::name);
+        return all;
+    }();
+    return names;
+}
+
 std::vector<std::string_view> keys_of_profile(std::string_view kind) {
-    const auto row = std::ranges::find(profile_kinds(), kind, &ProfileKind::name);
+    const auto row = std::ranges::find(all_kinds(), kind, &ProfileKind::name);
     std::vector<std::string_view> keys =
-        row != profile_kinds().end()          ? row->parameters
-        : kind == "hertz" || kind == "sphere" ? std::vector<std::string_view>{"R", "R1", "R2"}
-        : kind == "cylinder-on-flat"          ? std::vector<std::string_view>{"R"}
-                                              : std::vector<std::string_view>();
+        row != all_kinds().end() ? row->parameters : std::vector<std::string_view>();
     if (kind == "flat-and-rounded") {
         keys.emplace_back("flat_width");
     }
@@ -190,22 +203,16 @@ std::vector<std::string_view> keys_of_profile(std::string_view kind) {
 void read_profile(const io::TomlSection& section, bool tilt_unknown, Scene& scene) {
     scene.profile_line = section.line();
     const std::string kind = section.text("kind");
-    const auto row = std::ranges::find(profile_kinds(), kind, &ProfileKind::name);
-    const bool numbers = row != profile_kinds().end();
-    check_tilt(section, kind, numbers && row->punch != nullptr, tilt_unknown);
-    if (kind == "hertz" || kind == "cylinder-on-flat" || kind == "sphere") {
-        scene.profile = read_round_bodies(section, kind != "cylinder-on-flat", scene.radii);
+    const auto row = std::ranges::find(all_kinds(), kind, &ProfileKind::name);
+    const bool known = row != all_kinds().end();
+    check_tilt(section, kind, known && row->punch != nullptr, tilt_unknown);
+    section.require(known, "kind", "unknown kind of profile '" + kind + "'",
+                    one_of(kind, profile_kinds()));
+    if (row->profile == nullptr) {
+        scene.profile = kind == "piecewise"
+                            ? read_piecewise(section)
+                            : read_round_bodies(section, row->parameters, scene.radii);
         return;
-    }
-    if (kind == "piecewise") {
-        scene.profile = read_piecewise(section);
-        return;
-    }
-    if (!numbers) {
-        static constexpr auto names = std::to_array<std::string_view>(
-            {"power-law", "hertz", "cylinder-on-flat", "sphere", "wedge", "cone",
-             "flat-and-rounded", "tilted-wedge", "tilted-flat-and-rounded", "piecewise"});
-        section.reject("kind", "unknown kind of profile '" + kind + "'", one_of(kind, names));
     }
     std::vector<std::string_view> parameters = row->parameters;
     const bool by_width = kind == "flat-and-rounded" && section.has("flat_width");
@@ -351,19 +358,6 @@ void change_given(Scene& scene, const std::function<void(Scene&)>& change) {
     scene.load = scene.round->load;
     change(scene);
     revolve(scene);
-}
-
-const char* Axisymmetric::size_from() const {
-    return load.kind == Load::Kind::force      ? "from P"
-           : load.kind == Load::Kind::approach ? "from delta"
-                                               : "given";
-}
-
-std::string Axisymmetric::load_text() const {
-    return (load.kind == Load::Kind::force      ? "P = "
-            : load.kind == Load::Kind::approach ? "delta = "
-                                                : "a = ") +
-           load.value.text();
 }
 
 } // namespace edgeproof::scene

@@ -104,11 +104,6 @@ struct Axisymmetric {
     std::optional<contact::AxisymmetricPowerLaw> law = {};
     std::optional<Exact> force = {};    ///< P, the total force
     std::optional<Exact> approach = {}; ///< delta (length)
-
-    /// The route of a: "given", "from P" or "from delta".
-    [[nodiscard]] const char* size_from() const;
-    /// The load in words, such as "P = 100".
-    [[nodiscard]] std::string load_text() const;
 };
 
 /// A scene as its file gives it: exact, complete, and checked as far as possible without solving
@@ -210,6 +205,8 @@ void change_steps(Scene& scene, const std::function<void(LoadStep&)>& change);
 [[nodiscard]] Scene make_scene(const std::vector<io::TomlTable>& tables,
                                const std::string& title = "");
 
+/// The kinds of profiles.
+[[nodiscard]] const std::vector<std::string_view>& profile_kinds();
 /// The keys of [profile] with a number for a kind of profile; none for other names.
 [[nodiscard]] std::vector<std::string_view> keys_of_profile(std::string_view kind);
 

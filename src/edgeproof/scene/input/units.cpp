@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/scene/input/units.hpp"
+#include "edgeproof/precision/message.hpp"
 #include "edgeproof/scene/input/scene_words.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <set>
 #include <utility>
 
@@ -94,13 +94,6 @@ std::optional<Unit> force_over_area(std::string_view name) {
         return {};
     }
     return {};
-}
-
-std::string lower_case(std::string_view name) {
-    std::string lower(name);
-    std::ranges::transform(lower, lower.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
 }
 
 } // namespace

@@ -58,7 +58,10 @@ constexpr QuantityRow row(Quantity quantity, std::string_view symbol, std::strin
 }
 
 const char* size_given(const Scene& s) {
-    return s.round ? s.round->size_from() : s.load.kind == Load::Kind::force ? "from P" : "given";
+    const Load::Kind given = s.given_load().kind;
+    return given == Load::Kind::force      ? "from P"
+           : given == Load::Kind::approach ? "from delta"
+                                           : "given";
 }
 const char* left_edge(const Scene& s) { return s.symmetric() ? size_given(s) : "consistency"; }
 /// The route of P and delta of an axisymmetric contact.

@@ -99,8 +99,8 @@ void check_askable(const AskedContact& contact, const scene::AskedValue& asked,
 ///     rounding = "nearest"
 ///     [scenes.hertz]                    # any name: ids begin with it
 ///     edges = ["right", "left"]
-///     u = ["1e-30", "a/2"]              # or { from, to, per_decade } or { from, to, points }; or
-///     x quantities = ["p", "c_0", "P"]    # p, q, c_k, s_k, a, b, P, M, alpha, extent_k, measure_k
+///     u = ["1e-30", "a/2"]              # or x; or a range: { from, to, points }
+///     quantities = ["p", "c_0", "P"]    # p, q, c_k, s_k, a, b, P, M, alpha, extent_k, measure_k
 ///     tolerance = ["1%", "5%"]          # of extents
 ///     [scenes.hertz.profile]            # as in a scene, but a list or a range is a grid of values
 ///     kind = "power-law"

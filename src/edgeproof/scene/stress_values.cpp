@@ -239,10 +239,6 @@ GreatestValue greatest_on_axis(const Scene& asked, Quantity quantity, Body body)
                "write --greatest tau_max or mises");
     }
     const Ball factor(quantity == Quantity::mises ? 2 : 1, 64);
-    if (asked.curved_body()) {
-        refuse(asked, "the greatest stress is not computed for curved slopes of revolution",
-               "ask for stresses at points");
-    }
     SceneValues values(asked, {AskedValue{quantity}}, asked.ask.digits);
     const long most = 8 * values.plan().bits;
     const std::string route = "branch and bound";

@@ -98,6 +98,9 @@ AxisymmetricContact::AxisymmetricContact(const Profile& profile, const Exact& co
         }
         rings_.push_back({v, std::move(jump), std::move(rate), i});
     }
+    rates_ = std::make_shared<Rates>();
+    rates_->of_function.assign(rings_.size() + 1, TaylorCover(bits));
+    pressures_ = std::make_shared<TaylorCover>(bits);
     find_radius(load);
 }
 
@@ -126,6 +129,7 @@ Ball AxisymmetricContact::radius_for(const Ball& P, const Ball& start) const {
 AxisymmetricContact AxisymmetricContact::with_radius(const Ball& a) const {
     AxisymmetricContact c(*this);
     c.move_edges(a, a);
+    c.pressures_ = std::make_shared<TaylorCover>(bits_);
     return c;
 }
 
@@ -245,7 +249,7 @@ Ball AxisymmetricContact::over_approach(
                                const Box psi = t * width + first;
                                const Box w = cos(psi) * D;
                                const Box depth = cos(Box(quarter) - psi) * D;
-                               const Radius at = radius(A, on, w);
+                               const Radius at = radius(Box(A), on, w);
                                Box rate = approach_rate(at, on); // ds/dw
                                if (!on || !on_axis(*on)) {
                                    rate = rate * w;
@@ -368,7 +372,7 @@ Ball AxisymmetricContact::over_plane_widths(const Ball& from, const Ball& to,
         sum += width * integral_of(
                            [&](const Box& t) {
                                const Box w = t * width + first;
-                               const Radius at = radius(v, i, w);
+                               const Radius at = radius(Box(v), i, w);
                                const Box L = over_rings(at, Integrand::first_moment);
                                return f(L * modulus_) * w / (at.s * at.s);
                            },

@@ -2,6 +2,7 @@
 #pragma once
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
+#include "edgeproof/contact/enclosure/taylor_cover.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/contact/slip/stick_zone.hpp"
 #include "edgeproof/precision/ball/complex_box.hpp"
@@ -19,9 +20,9 @@ namespace edgeproof::contact {
 /// radius r, a the radius of the contact, u = a - r; the left edge is the mirror image of the right
 /// one. delta, P and h' are integrals of g' over r: of piecewise linear slopes elementary functions
 /// (`sneddon1965`), else found by Arb's rigorous integration (`johansson2018`), as the pressure is,
-/// an integral of h'. Of curved slopes the pressure is enclosed at points only: over a wide ball,
-/// and its series, are not finite. g' must then be analytic on each piece, ends included; otherwise
-/// the values are not finite. The proofs need a g' that does not decrease (curved_slope.hpp).
+/// an integral of h'. A curved slope must be analytic on each piece, ends included; otherwise the
+/// values are not finite. Its pressure has no series over a ball that contains a knot or the axis.
+/// The proofs need a g' that does not decrease (curved_slope.hpp).
 class AxisymmetricContact : public ProvedContact {
 public:
     /// The radius r >= 0 (length) of a knot at which g' is not analytic on a piece, so that no
@@ -68,7 +69,7 @@ public:
     [[nodiscard]] Ball reach(Edge edge) const override;
     [[nodiscard]] Ball majorant(Edge edge, const Ball& rho) const override;
     [[nodiscard]] std::vector<Ball> expansion(Edge edge, std::size_t terms) const override;
-    [[nodiscard]] std::size_t cost() const override { return linear_ ? 10 : 100; }
+    [[nodiscard]] std::size_t cost() const override { return 10; }
 
     /// The integral of h'(s) sqrt(s^2 - r^2) over r < s < a (length^2), for r > 0; `known`: r, if
     /// it is a number.
@@ -113,7 +114,9 @@ private:
     void find_radius(const Load& load);
     [[nodiscard]] Radius radius(const Ball& s) const;
     /// s^2 = A^2 + w^2 beyond the rings that are not beyond A; `on` is the ring at A itself.
-    [[nodiscard]] Radius radius(const Ball& A, std::optional<std::size_t> on, const Box& w) const;
+    [[nodiscard]] Radius radius(const Box& A, std::optional<std::size_t> on, const Box& w) const;
+    /// s^2 = A^2 + w2 beyond the rings before `end`; A may be a range that contains the last one.
+    [[nodiscard]] Radius radius_beyond(const Box& A, std::size_t end, const Box& w2) const;
     /// s = a + z.
     [[nodiscard]] Radius radius_near_edge(const Box& z) const;
     /// arccos(v/s) of a ring.
@@ -126,8 +129,14 @@ private:
     [[nodiscard]] Box over_rings(const Radius& at, Integrand of) const;
     /// h'(s)/s before the second ring, for g'(0) = 0.
     [[nodiscard]] Box rate_over_radius_at(const Box& s) const;
-    /// h'(s) without the jump of the ring `except`.
+    /// h'(s) without the jump of the ring `except`, which is the last one before s.
     [[nodiscard]] Box approach_rate(const Radius& at, std::optional<std::size_t> except) const;
+    /// The same without the jump of the last ring, directly.
+    [[nodiscard]] Box smooth_rate(const Radius& at) const;
+    /// One of the two functions above, by its series if enough values were computed. `variable`:
+    /// sqrt(s^2 - v^2) of the last ring, in which it is analytic.
+    [[nodiscard]] Box by_series(std::size_t function, const Box& variable,
+                                const TaylorCover::Function& f) const;
     /// The force and the approach h for the radius s (length).
     [[nodiscard]] Ball force_at(const Ball& s) const;
     [[nodiscard]] Ball approach_at(const Ball& s) const;
@@ -140,13 +149,18 @@ private:
     /// The same of a linear slope, ring by ring; and the integral of h' by parts between the rings,
     /// with (s^2 - r^2)^(-1/2), or with its inverse.
     [[nodiscard]] Ball over_bends(const Place& at, bool least) const;
-    [[nodiscard]] Ball over_widths(const Place& at, bool moment) const;
+    [[nodiscard]] Box over_widths(const Place& at, const Box& r, bool moment, bool least) const;
     /// A part of it, over A < s < sqrt(A^2 + W^2), A >= r.
-    [[nodiscard]] Ball over_width(const Place& at, const Ball& A, std::optional<std::size_t> on,
-                                  bool from_r, const Ball& W, bool moment) const;
-    /// The same from s = r up to sqrt(r^2 + W^2), before the second ring, for a ball of r that
-    /// contains the axis.
-    [[nodiscard]] Ball over_axis(const Ball& r, const Ball& W) const;
+    [[nodiscard]] Box over_width(const Box& r, const Box& A, std::optional<std::size_t> on,
+                                 bool from_r, const Box& W, bool moment) const;
+    /// The same from s = r up to sqrt(r^2 + W^2), before the ring `end`, for a ball of r that
+    /// contains the axis or the ring before it. `least`: a lower bound.
+    [[nodiscard]] Ball over_start(const Ball& r, std::size_t end, const Ball& W, bool least) const;
+    /// p/sqrt(a^2 - r^2) of a curved slope at a complex radius between two rings, or beyond the
+    /// last one; and `order` coefficients of its Taylor series in r that hold for every r of a
+    /// ball, empty if there is none.
+    [[nodiscard]] Box pressure_over_root(const Box& r) const;
+    [[nodiscard]] std::vector<Ball> over_root(const Ball& r, std::size_t order) const;
     /// The integral of h'(s) f(s, sqrt(to^2 - s^2)) over from < s < to = from + beyond; `on` is the
     /// ring at `from`. A ring in the ball of `to` is left out.
     [[nodiscard]] Ball
@@ -161,6 +175,14 @@ private:
 
     bool linear_;
     std::vector<Ring> rings_; ///< ascending; of a linear slope those where g' changes
+    /// Of a curved slope the series of h' beyond each ring, and of h'/s on the axis, which all
+    /// contacts of the profile share; and those of p between the rings.
+    struct Rates {
+        std::vector<TaylorCover> of_function;
+        long values = 0; ///< computed directly so far
+    };
+    std::shared_ptr<Rates> rates_;
+    std::shared_ptr<TaylorCover> pressures_;
 };
 
 /// The zones of an axisymmetric contact under smaller forces, which bound its stick zone in partial

@@ -15,24 +15,7 @@
 namespace edgeproof::contact {
 namespace {
 
-constexpr long narrow_bits_of_radius = 48; ///< a radius with fewer bits is a range
-constexpr long parts_of_range = 8;         ///< into which a coarse enclosure is divided
-
-bool is_narrow(const Box& s) { return acb_rel_accuracy_bits(s.get()) >= narrow_bits_of_radius; }
-
-/// The integral of f over 0 < t < 1, or a coarse enclosure of it.
-Box integral_or_range(const std::function<Box(const Box& t)>& f, bool narrow, long bits) {
-    if (narrow) {
-        return inner_integral_of(f, {bits, bits, Ball(0, bits), Ball(1, bits)});
-    }
-    Box sum(bits);
-    for (long i = 0; i < parts_of_range; ++i) {
-        const Ball lo(Rational(i, parts_of_range), bits);
-        const Ball hi(Rational(i + 1, parts_of_range), bits);
-        sum = sum + f(Box(Ball::hull(lo, hi)));
-    }
-    return sum / Ball(parts_of_range, bits);
-}
+constexpr long values_a_bit = 4; ///< of h', before its series are computed
 
 } // namespace
 
@@ -47,8 +30,8 @@ AxisymmetricContact::Radius AxisymmetricContact::radius(const Ball& s) const {
     return at;
 }
 
-AxisymmetricContact::Radius
-AxisymmetricContact::radius(const Ball& A, std::optional<std::size_t> on, const Box& w) const {
+AxisymmetricContact::Radius AxisymmetricContact::radius(const Box& A, std::optional<std::size_t> on,
+                                                        const Box& w) const {
     const Box w2 = w * w;
     Radius at{on && on_axis(*on) ? w : principal_root(w2 + A * A), {}};
     for (std::size_t i = 0; i < rings_.size(); ++i) {
@@ -57,10 +40,19 @@ AxisymmetricContact::radius(const Ball& A, std::optional<std::size_t> on, const 
             at.y.push_back(w);
             break;
         }
-        if (!on && !certainly_less(v, A)) { // the knots before ring `on` lie before A
+        if (!on && !certainly_less(v, A.real())) { // the knots before ring `on` lie before A
             break;
         }
         at.y.push_back(principal_root(w2 + (A - v) * (A + v)));
+    }
+    return at;
+}
+
+AxisymmetricContact::Radius AxisymmetricContact::radius_beyond(const Box& A, std::size_t end,
+                                                               const Box& w2) const {
+    Radius at{principal_root(w2 + A * A), {}};
+    for (std::size_t i = 0; i < end; ++i) {
+        at.y.push_back(principal_root(w2 + (A - rings_[i].v) * (A + rings_[i].v)));
     }
     return at;
 }
@@ -147,15 +139,31 @@ Box AxisymmetricContact::over_rings(const Radius& at, Integrand of) const {
     return sum;
 }
 
-Box AxisymmetricContact::rate_over_radius_at(const Box& s) const {
-    const Ball quarter = Ball::pi(bits_) / 2;
-    return integral_or_range(
-               [&](const Box& t) {
-                   const Box part = cos(t * quarter); // r/s
-                   return rate_over_radius(s * part) * part;
-               },
-               is_narrow(s), bits_) *
-           quarter;
+Box AxisymmetricContact::by_series(std::size_t function, const Box& variable,
+                                   const TaylorCover::Function& f) const {
+    // As many values as the series cost are computed directly first.
+    if (rates_->values > values_a_bit * bits_) {
+        const std::vector<Box> found =
+            rates_->of_function[function].at(f, variable, 1, a_ * 2 + rings_.back().v);
+        if (!found.empty()) {
+            return found[0];
+        }
+    }
+    rates_->values += is_narrow(variable) ? 1 : 0;
+    return f(variable);
+}
+
+Box AxisymmetricContact::rate_over_radius_at(const Box& radius) const {
+    return by_series(rings_.size(), radius, [&](const Box& s) {
+        const Ball quarter = Ball::pi(bits_) / 2;
+        return integral_or_range(
+                   [&](const Box& t) {
+                       const Box part = cos(t * quarter); // r/s
+                       return rate_over_radius(s * part) * part;
+                   },
+                   is_narrow(s), bits_) *
+               quarter;
+    });
 }
 
 Box AxisymmetricContact::angle(const Radius& at, std::size_t ring) const {
@@ -163,7 +171,7 @@ Box AxisymmetricContact::angle(const Radius& at, std::size_t ring) const {
                          : principal_arctangent(at.y[ring] / rings_[ring].v);
 }
 
-Box AxisymmetricContact::approach_rate(const Radius& at, std::optional<std::size_t> except) const {
+Box AxisymmetricContact::smooth_rate(const Radius& at) const {
     Box sum = linear_ ? Box(bits_) : over_rings(at, Integrand::rate);
     for (std::size_t i = 0; i < at.y.size(); ++i) {
         const auto& [v, jump, rate, knot] = rings_[i];
@@ -173,15 +181,34 @@ Box AxisymmetricContact::approach_rate(const Radius& at, std::optional<std::size
             sum = sum + (at.y[i] * Ball(2, bits_) - A * v) * rate;
             sum = corner ? sum + A * jump : sum;
         }
-        if (corner && i != except && !on_axis(i)) {
+        if (corner && i + 1 < at.y.size() && !on_axis(i)) {
             sum = sum + Box(jump * v) / at.y[i];
         }
     }
     return sum;
 }
 
+Box AxisymmetricContact::approach_rate(const Radius& at, std::optional<std::size_t> except) const {
+    if (at.y.empty()) {
+        return Box(bits_);
+    }
+    const std::size_t last = at.y.size() - 1;
+    const Ball& v = rings_[last].v;
+    const Ball& jump = rings_[last].jump;
+    const Box& y = at.y[last];
+    const Box sum = linear_ ? smooth_rate(at) : by_series(last, y, [&](const Box& w) {
+        return smooth_rate(&w == &y ? at : radius(Box(v), last, w));
+    });
+    return contains_zero(jump) || last == except || on_axis(last) ? sum : sum + Box(jump * v) / y;
+}
+
 Ball AxisymmetricContact::approach_rate_at(const Ball& s) const {
-    return approach_rate(radius(s), {}).real();
+    const Radius at = radius(s);
+    // The series beyond a ring that s may lie on does not hold before it.
+    const bool on_ring = !at.y.empty() && at.y.back().contains_zero();
+    return (on_ring && contains_zero(rings_[at.y.size() - 1].jump) ? smooth_rate(at)
+                                                                   : approach_rate(at, {}))
+        .real();
 }
 
 Ball AxisymmetricContact::approach_at(const Ball& s) const {
@@ -208,21 +235,8 @@ std::vector<Ball> AxisymmetricContact::expansion(Edge /*edge*/, std::size_t term
 // p/sqrt(u) = (E*/pi) times the integral of h'(a - u t) (1 - t)^(-1/2) (2a - u (1 + t))^(-1/2) over
 // 0 < t < 1 (docs/axisymmetric.md, "The expansion").
 Ball AxisymmetricContact::most_rate(const Ball& rho) const {
-    constexpr long across = 6; // boxes from -rho to rho
-    const Ball half = rho / across;
-    Ball most(0, bits_);
-    for (long i = 0; i < across; ++i) {
-        for (long j = 0; 2 * j < across; ++j) { // h' is real on the real axis
-            const Box z(half * (2 * i + 1 - across) + up_to(half),
-                        half * (2 * j + 1) + up_to(half));
-            const Ball here = abs(approach_rate(radius_near_edge(z), {}));
-            if (!here.is_finite()) {
-                return unknown_ball(bits_);
-            }
-            most = max(most, upper_end(here));
-        }
-    }
-    return most;
+    return greatest_on_disk(
+        [&](const Box& s) { return approach_rate(radius_near_edge(s - a_), {}); }, a_, rho);
 }
 
 Ball AxisymmetricContact::reach(Edge /*edge*/) const {

@@ -5,6 +5,7 @@
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,18 @@ namespace edgeproof::contact {
 namespace {
 
 constexpr long bits_of_searches = 48;
+constexpr long lost_by_ranges = 16;       ///< bits: a ball that has lost fewer is a place
+constexpr long fewest_bits_of_place = 12; ///< a complex place with fewer is a range
+
+/// t^2 for 0 <= t <= 1, which is not negative, and for complex t.
+Box square(const Box& t) {
+    if (acb_is_real(t.get()) == 0) {
+        return t * t;
+    }
+    const Ball lo = max(lower_end(t.real()), Ball(0, t.bits()));
+    const Ball hi = upper_end(t.real());
+    return Box(Ball::hull(lo * lo, hi * hi));
+}
 
 } // namespace
 
@@ -55,7 +68,7 @@ Ball AxisymmetricContact::pressure(Edge edge, const Ball& u, const Exact& x) con
 
 Ball AxisymmetricContact::outer_moment(const Ball& r, const std::optional<Exact>& known) const {
     const Place at{a_ - r, a_ + r, r, {}};
-    return over_widths(known ? on_ring(at, *known) : at, true);
+    return over_widths(known ? on_ring(at, *known) : at, Box(r), true, false).real();
 }
 
 Ball AxisymmetricContact::pressure(Edge edge, const Ball& u) const {
@@ -70,7 +83,57 @@ Ball AxisymmetricContact::pressure(const Place& at, bool least) const {
     if (certainly_negative(at.u) || certainly_negative(at.other)) {
         throw DomainError("a point lies outside the contact");
     }
-    return modulus_ / Ball::pi(bits_) * (linear_ ? over_bends(at, least) : over_widths(at, false));
+    const Ball scale = modulus_ / Ball::pi(bits_);
+    if (linear_) {
+        return scale * over_bends(at, least);
+    }
+    if (at.r.relative_accuracy_bits() < bits_ - lost_by_ranges && !at.on) {
+        if (const auto ratio = over_root(at.r, 1); !ratio.empty()) {
+            return ratio[0] * at.W();
+        }
+    }
+    return scale * over_widths(at, Box(at.r), false, least).real();
+}
+
+// Beyond the last ring it is a mean of h'(s)/s over s^2 = r^2 + (a^2 - r^2) t^2, also beyond the
+// edge.
+Box AxisymmetricContact::pressure_over_root(const Box& r) const {
+    const Box W2 = (a_ - r) * (r + a_);
+    std::size_t before = 0;
+    while (before < rings_.size() && inside(rings_[before].knot) &&
+           certainly_less(rings_[before].v, r.real())) {
+        ++before;
+    }
+    const Ball scale = modulus_ / Ball::pi(bits_);
+    if (before < rings_.size() && inside(rings_[before].knot)) {
+        const Place at{a_ - r.real(), a_ + r.real(), r.real(), {}};
+        return over_widths(at, r, false, false) * scale / principal_root(W2);
+    }
+    return integral_or_range(
+               [&](const Box& t) {
+                   const Radius at = radius_beyond(r, before, square(t) * W2);
+                   return approach_rate(at, {}) / at.s;
+               },
+               is_narrow(r), bits_) *
+           scale;
+}
+
+std::vector<Ball> AxisymmetricContact::over_root(const Ball& r, std::size_t order) const {
+    Ball widest = middle(r) * 2 / 3; // of r^2 the real part is positive
+    for (const Ring& ring : rings_) {
+        if (inside(ring.knot)) {
+            widest = min(widest, abs(middle(r) - ring.v));
+        }
+    }
+    std::vector<Ball> ratio;
+    if (certainly_positive(lower_end(widest))) {
+        for (const Box& c : pressures_->at([&](const Box& z) { return pressure_over_root(z); },
+                                           Box(r), order, lower_end(widest))) {
+            ratio.push_back(c.real());
+        }
+    }
+    check_interruption();
+    return ratio;
 }
 
 // docs/axisymmetric.md, "What is integrated"
@@ -147,87 +210,115 @@ Ball AxisymmetricContact::over_bends(const Place& at, bool least) const {
     return sum;
 }
 
-Ball AxisymmetricContact::over_width(const Place& from, const Ball& A,
-                                     std::optional<std::size_t> on, bool from_r, const Ball& W,
-                                     bool moment) const {
-    const Ball& r = from.r;
-    const Ball apart = (A - r) * (A + r);
-    const long known = std::min({W.relative_accuracy_bits(), A.relative_accuracy_bits(),
-                                 (from_r ? r : apart).relative_accuracy_bits()});
-    const long accuracy = useful_accuracy(known, bits_);
-    const IntegralGoal goal{bits_, accuracy, Ball(0, bits_), Ball(1, bits_)};
+Box AxisymmetricContact::over_width(const Box& r, const Box& A, std::optional<std::size_t> on,
+                                    bool from_r, const Box& W, bool moment) const {
+    const Box apart = (A - r) * (A + r);
+    const long known = std::min({acb_rel_accuracy_bits(W.get()), acb_rel_accuracy_bits(A.get()),
+                                 acb_rel_accuracy_bits((from_r ? r : apart).get())});
+    const bool range = known < fewest_bits_of_place && acb_is_real(r.get()) == 0;
     const bool axis = from_r && on && on_axis(*on);
-    return W * integral_of(
-                   [&](const Box& t) {
-                       const Box w = t * W;
-                       if (axis && contains_zero(rings_[0].jump)) {
-                           return rate_over_radius_at(w);
-                       }
-                       const Radius at = radius(A, on, w);
-                       if (from_r) {
-                           const Box rate = approach_rate(at, {}) / at.s;
-                           return moment ? rate * w * w : rate;
-                       }
-                       const Box rate =
-                           (approach_rate(at, on) * w + rings_[*on].jump * rings_[*on].v) / at.s;
-                       const Box root = principal_root(w * w + apart);
-                       return moment ? rate * root : rate / root;
-                   },
-                   goal);
+    const auto f = [&](const Box& t) {
+        const Box w = t * W;
+        if (axis && contains_zero(rings_[0].jump)) {
+            return rate_over_radius_at(w);
+        }
+        const Radius at = radius(A, on, w);
+        if (from_r) {
+            const Box rate = approach_rate(at, {}) / at.s;
+            return moment ? rate * w * w : rate;
+        }
+        const Box rate = (approach_rate(at, on) * w + rings_[*on].jump * rings_[*on].v) / at.s;
+        const Box root = principal_root((range ? square(t) * W * W : w * w) + apart);
+        return moment ? rate * root : rate / root;
+    };
+    if (range) {
+        return W * integral_or_range(f, false, bits_);
+    }
+    return W * inner_integral_of(
+                   f, {bits_, useful_accuracy(known, bits_), Ball(0, bits_), Ball(1, bits_)});
 }
 
-// p near the axis, for g'(0) = 0: pi/E* times p is the integral of h'(s)/s over 0 < w < W. For the
-// first w the integrand is enclosed over all s.
-Ball AxisymmetricContact::over_axis(const Ball& r, const Ball& W) const {
+// p where r may be a place at which h' bends: pi/E* times p is the integral of h'(s)/s over
+// 0 < w < W. For the first w the integrand is enclosed over all s.
+Ball AxisymmetricContact::over_start(const Ball& r, std::size_t end, const Ball& W,
+                                     bool least) const {
     const Ball most = upper_end(abs(r));
+    const std::size_t ring = end - 1;
+    const bool axis = on_axis(ring) && contains_zero(rings_[ring].jump);
+    const Ball lowest = max(lower_end(r), Ball(0, bits_));
+    const Ball breadth = upper_end(axis ? most : sqrt((most - lowest) * (most + lowest)));
+    const Ball tiny = middle(W) * power_of_two(-bits_ / 2, bits_);
     const Ball first =
-        middle(sqrt(most * W)) + most * 2 + middle(W) * power_of_two(-bits_ / 2, bits_);
-    const Ball begin =
-        first * rate_over_radius_at(Box(Ball::hull(Ball(0, bits_), first + most))).real();
+        axis ? Ball(middle(sqrt(most * W)) + most * 2 + tiny) : Ball(middle(breadth * 2) + tiny);
+    if (!certainly_less(first, W)) {
+        return unknown_ball(bits_);
+    }
+    Ball begin(0, bits_); // not negative
+    if (axis) {
+        begin = first * rate_over_radius_at(Box(Ball::hull(Ball(0, bits_), first + most))).real();
+    } else if (contains_zero(rings_[ring].jump)) {
+        const Ball s = Ball::hull(lowest, upper_end(sqrt(most * most + first * first)));
+        begin = first * (smooth_rate(radius(s)) / Box(s)).real();
+    } else if (!least) {
+        return unknown_ball(bits_); // infinite at a corner
+    }
     const Ball width = W - first;
     const IntegralGoal goal{bits_, useful_accuracy(W.relative_accuracy_bits(), bits_),
                             Ball(0, bits_), Ball(1, bits_)};
     return begin + width * integral_of(
                                [&](const Box& t) {
                                    const Box w = t * width + first;
-                                   return rate_over_radius_at(principal_root(w * w + r * r));
+                                   if (axis) {
+                                       return rate_over_radius_at(principal_root(w * w + r * r));
+                                   }
+                                   const Radius at = radius_beyond(Box(r), end, w * w);
+                                   return approach_rate(at, {}) / at.s;
                                },
                                goal);
 }
 
-Ball AxisymmetricContact::over_widths(const Place& at, bool moment) const {
-    const Ball& r = at.r;
-    std::optional<std::size_t> on = at.on;
-    Ball sum(0, bits_);
-    Ball A = on ? rings_[*on].v : r;
+Box AxisymmetricContact::over_widths(const Place& place, const Box& r, bool moment,
+                                     bool least) const {
+    std::optional<std::size_t> on = place.on;
+    const bool real = acb_is_real(r.get()) != 0;
+    Box sum(bits_);
+    Box A = on ? Box(rings_[*on].v) : r;
     bool from_r = true;
+    bool met = false; // r may lie on the ring before
     for (std::size_t i = on ? *on + 1 : 0;; ++i) {
         const bool last = i == rings_.size() || !inside(rings_[i].knot);
-        if (!last && !certainly_less(A, rings_[i].v)) {
-            if (certainly_less(rings_[i].v, A) || (on_axis(i) && contains_zero(rings_[i].jump))) {
+        if (!last && !certainly_less(A.real(), rings_[i].v)) {
+            if (certainly_less(rings_[i].v, A.real())) {
                 continue; // before r
             }
-            return unknown_ball(bits_);
+            if (met || !from_r || moment || !real) {
+                return unknown_box(bits_);
+            }
+            met = true;
+            continue;
         }
-        const Ball W = last && from_r ? Field<Ball>::root(clamped(at.u) * clamped(at.other))
-                       : last         ? Field<Ball>::root(clamped(a_ - A) * (a_ + A))
-                                      : sqrt((rings_[i].v - A) * (rings_[i].v + A));
+        const Box W = !last     ? principal_root((rings_[i].v - A) * (A + rings_[i].v))
+                      : !from_r ? Box(Field<Ball>::root(clamped(a_ - A.real()) * (a_ + A.real())))
+                      : real    ? Box(Field<Ball>::root(clamped(place.u) * clamped(place.other)))
+                                : principal_root((a_ - r) * (r + a_));
         if (on && !contains_zero(rings_[*on].jump) && from_r) {
-            return unknown_ball(bits_); // infinite at a corner
+            return unknown_box(bits_); // infinite at a corner
         }
         const bool flat =
             std::all_of(rings_.begin(), rings_.begin() + static_cast<std::ptrdiff_t>(i),
                         [&](const Ring& ring) { return begins_flat(ring); });
         if (!flat) { // h' is 0 up to the end of a flat
-            sum += from_r && !on && contains_zero(r) ? over_axis(r, W)
-                                                     : over_width(at, A, on, from_r, W, moment);
+            sum = sum + (met ? Box(over_start(r.real(), i, W.real(), least))
+                             : over_width(r, A, on, from_r, W, moment));
         }
         if (last) {
+            check_interruption();
             return sum;
         }
-        A = rings_[i].v;
+        A = Box(rings_[i].v);
         on = i;
         from_r = false;
+        met = false;
     }
 }
 
@@ -269,23 +360,30 @@ std::optional<BallSeries> series_near_edge(const AxisymmetricContact& contact, c
 
 BallSeries AxisymmetricContact::pressure_series(Edge /*edge*/, const Ball& u,
                                                 std::size_t order) const {
-    if (!linear_) {
-        return unknown_series(order, bits_);
-    }
-    if (auto near = series_near_edge(*this, u.with_bits(bits_), order)) {
-        return *near;
-    }
-    if (auto near = series_near_edge(*this, a_ * 2 - u, order)) { // from the opposite edge
-        for (std::size_t k = 1; k < order; k += 2) {
-            near->set(k, -(*near)[k]);
+    if (linear_) {
+        if (auto near = series_near_edge(*this, u.with_bits(bits_), order)) {
+            return *near;
         }
-        return *near;
+        if (auto near = series_near_edge(*this, a_ * 2 - u, order)) { // from the opposite edge
+            for (std::size_t k = 1; k < order; k += 2) {
+                near->set(k, -(*near)[k]);
+            }
+            return *near;
+        }
     }
     const BallSeries from = BallSeries::variable(u.with_bits(bits_), order);
     const BallSeries other = -from + a_ * 2;
     const BallSeries r = -from + a_; // its sign does not matter off the origin
     if (!certainly_positive(u) || !certainly_positive(other[0])) {
         return unknown_series(order, bits_);
+    }
+    if (!linear_) {
+        std::vector<Ball> ratio = over_root(abs(r[0]), order);
+        for (std::size_t k = 1; k < ratio.size() && certainly_positive(r[0]); k += 2) {
+            ratio[k] = -ratio[k]; // r decreases as u grows
+        }
+        return ratio.empty() ? unknown_series(order, bits_)
+                             : BallSeries(ratio) * sqrt(from * other);
     }
     const BallSeries r2 = r * r;
     const BallSeries W = sqrt(from * other);

@@ -14,6 +14,8 @@ namespace {
 /// Beyond it the result is wide, and the caller takes more bits, or smaller balls.
 constexpr slong evaluations_a_bit = 400;
 constexpr slong evaluations_if_wide = 800;
+constexpr long narrow_parameter_bits = 48; ///< a parameter with fewer bits is a range
+constexpr long parts_of_range = 8;         ///< into which a coarse enclosure is divided
 
 bool meets_cut_of_root(const Box& c) { return !certainly_positive(c.real()) && c.may_be_real(); }
 bool may_meet_cut_of_arctangent(const Box& c) {
@@ -122,13 +124,28 @@ Ball integral_of(const std::function<Box(const Box& t)>& f, const IntegralGoal& 
     return result;
 }
 
+bool is_narrow(const Box& x) { return acb_rel_accuracy_bits(x.get()) >= narrow_parameter_bits; }
+
+Box integral_or_range(const std::function<Box(const Box& t)>& f, bool narrow, long bits) {
+    if (narrow) {
+        return inner_integral_of(f, {bits, bits, Ball(0, bits), Ball(1, bits)});
+    }
+    Box sum(bits);
+    for (long i = 0; i < parts_of_range; ++i) {
+        const Ball lo(Rational(i, parts_of_range), bits);
+        const Ball hi(Rational(i + 1, parts_of_range), bits);
+        sum = sum + f(Box(Ball::hull(lo, hi)));
+    }
+    return sum / Ball(parts_of_range, bits);
+}
+
 std::vector<Ball> taylor_on_circle(const std::function<Box(const Box& z)>& f, const Ball& most,
                                    const Ball& rho, const Rational& q, std::size_t terms) {
     const long bits = rho.bits();
     const double fall = -std::log2(q.convert_to<double>());
-    const std::size_t half =
-        std::max(terms, static_cast<std::size_t>(static_cast<double>(bits) / (2 * fall)) + 1);
-    const auto n = static_cast<long>(2 * half); // q^n < 2^-bits
+    const std::size_t half = std::max(
+        (terms + 1) / 2, static_cast<std::size_t>(static_cast<double>(bits) / (2 * fall)) + 1);
+    const auto n = static_cast<long>(2 * half); // at least `terms`, and q^n < 2^-bits
     const Ball r = rho * Ball(q, bits);
     std::vector<Box> unit;
     std::vector<Box> values;

@@ -39,6 +39,13 @@ constexpr long narrow_integral_bits = 64;
 [[nodiscard]] Box inner_integral_of(const std::function<Box(const Box& t)>& f,
                                     const IntegralGoal& goal);
 
+/// True for a parameter that is not a range.
+[[nodiscard]] bool is_narrow(const Box& x);
+/// The same with the full accuracy, if the parameters of f are narrow; else the enclosures of f
+/// over eight parts of 0 < t < 1.
+[[nodiscard]] Box integral_or_range(const std::function<Box(const Box& t)>& f, bool narrow,
+                                    long bits);
+
 /// The integral along the real axis between two places that may be wide balls: Arb integrates
 /// between their midpoints, and the radius of each adds the values over that ball. f encloses its
 /// values over real boxes; over other ones it is holomorphic, or not finite.

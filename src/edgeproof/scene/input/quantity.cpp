@@ -191,8 +191,6 @@ std::optional<Lack> lack_of(const Scene& scene, const AskedValue& asked) {
         {needs == Needs::reference && !asked.reference,
          {"there is no place without displacement", "give a reference"}},
         {plane && scene.round, {"the contact is axisymmetric", ""}},
-        {scene.curved_body() && row.group == QuantityGroup::extent,
-         {"it is not computed for curved slopes of revolution", ""}},
         {needs == Needs::round && !scene.round,
          {"the contact is plane, where the approach is undetermined", ""}},
         {(needs == Needs::poisson || needs == Needs::reference) && !poisson,
@@ -237,13 +235,6 @@ std::optional<Lack> lack_of(const Scene& scene, const GroupRow& group) {
         {group.shear && !scene.shear, {problem + "[shear]", "add [shear] with Q or bulk_tension"}},
         {group.friction && !scene.slips(),
          {wanted + no_slip(scene).problem, no_slip(scene).instead}},
-        {scene.curved_body() && group.group == QuantityGroup::extent,
-         {name + " is not computed for curved slopes of revolution",
-          "give a power law or a piecewise linear g'"}},
-        {scene.curved_body() && group.group == QuantityGroup::slip && scene.ask.tolerance,
-         {"how far n terms of the slip zone are good is not computed for curved slopes of "
-          "revolution",
-          "leave tolerance out"}},
         {round_stress && scene.shear,
          {name + " of an axisymmetric contact is computed without shear, under which it is not "
                  "axisymmetric",

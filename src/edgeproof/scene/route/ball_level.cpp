@@ -120,4 +120,15 @@ std::optional<Exact> BallLevel::known_x(Edge edge, const Distance& u) const {
     return Exact(edge == Edge::right ? inwards : -inwards);
 }
 
+bool BallLevel::greater_off_axis() const {
+    constexpr long places = 16;
+    const Ball on_axis = contact_->pressure(Edge::right, a(), Exact());
+    for (long k = 1; k < places; ++k) {
+        if (certainly_less(on_axis, contact_->pressure(Edge::right, a() * k / places))) {
+            return true;
+        }
+    }
+    return false;
+}
+
 } // namespace edgeproof::scene

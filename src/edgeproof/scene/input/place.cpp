@@ -114,6 +114,9 @@ Place Place::parse(std::string_view text, From from, const Names& names) {
 }
 
 Place Place::between(const Place& from, const Place& to, const Rational& t) {
+    if (t == 0 || t == 1) {
+        return t == 0 ? from : to;
+    }
     Expr value = from.value_ * Expr::number(Rational(1 - t)) + to.value_ * Expr::number(t);
     const auto in_a = contact::as_linear(value, "a");
     if (const auto in_b = in_a ? contact::as_linear(in_a->at_origin, "b") : std::nullopt) {
@@ -124,9 +127,8 @@ Place Place::between(const Place& from, const Place& to, const Rational& t) {
                                          {in_b->at_origin, one}}) {
             const auto q = known_rational(factor);
             if (!q || *q != 0) {
-                const Expr term = !q || of == one ? factor * of
-                                  : *q == 1       ? of
-                                                  : Expr::number(*q) * of;
+                const Expr number = q ? Expr::number(*q) : factor;
+                const Expr term = of == one ? number : q && *q == 1 ? of : number * of;
                 sum = sum ? *sum + term : term;
             }
         }

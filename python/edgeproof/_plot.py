@@ -28,7 +28,7 @@ def _draw_curves(axes: Any, panel: dict[str, Any], place: dict[str, Any]) -> Non
             named.append([])
     if panel["level"]:
         at, name = panel["level"]
-        named.append([axes.axhline(float(at), color="black", linewidth=0.8, linestyle=":",
+        named.append([axes.axhline(at, color="black", linewidth=0.8, linestyle=":",
                                    label=name)])
     axes.grid(linewidth=0.5, linestyle=":", color="#999999")
     entries = [(tuple(lines), lines[0].get_label()) for lines in named if lines]
@@ -74,6 +74,6 @@ def plot(scene: Any, terms: Any, edge: str, tolerance: str | None, field: str, b
         for name in "xy":
             label, logarithmic, ends = panel[name]
             axes.set(**{name + "label": label, name + "scale": "log" if logarithmic else "linear"},
-                     **({name + "lim": tuple(map(float, ends))} if ends else {}))
+                     **({name + "lim": tuple(ends)} if ends else {}))
         axes.set_title(panel["title"])
     return ax[0].figure  # type: ignore[no-any-return]

@@ -292,9 +292,10 @@ std::string Scene::run(const Keys& asked) const {
 
 std::string Scene::pictures(const Keys& asked, const std::string& field, bool body_B) const {
     const auto number = [](const Real& x) { return x.convert_to<double>(); };
-    const auto axis = [](const report::Axis& of) {
+    const auto axis = [&](const report::Axis& of) {
         return Json{of.label, of.logarithmic,
-                    of.range ? Json{of.range->first, of.range->second} : Json(nullptr)};
+                    of.range ? Json{number(of.range->first), number(of.range->second)}
+                             : Json(nullptr)};
     };
     const scene::Scene scene = solved_->asking(asked);
     Json panels = Json::array();
@@ -327,7 +328,8 @@ std::string Scene::pictures(const Keys& asked, const std::string& field, bool bo
                               pen.width, x, y, or_null(marks)});
         }
         panel["curves"] = curves;
-        panel["level"] = plot.level ? Json{plot.level->first, plot.level->second} : Json(nullptr);
+        panel["level"] =
+            plot.level ? Json{number(plot.level->first), plot.level->second} : Json(nullptr);
         panels.push_back(panel);
     }
     return json_text(panels);

@@ -20,8 +20,8 @@ Plot parabola() {
     plot.description = "A parabola";
     plot.x = {"x"};
     plot.y = {"y"};
-    plot.x.range = {"0", "2"};
-    plot.y.range = {"0", "4"};
+    plot.x.range = {0, 2};
+    plot.y.range = {0, 4};
     plot.add_curve("y", "y", {Pen::Colour::black, 1, {}, 2});
     plot.add_curve("mark", "mark", {Pen::Colour::blue, 0, 7, 2});
     for (const char* x : {"0", "1"}) {
@@ -49,7 +49,7 @@ TEST_SUITE("report: pictures") {
             Plot plot = parabola();
             plot.title = plot.description = plot.x.label = plot.y.label = text;
             plot.curves.front().title = text;
-            plot.level = {"1", text};
+            plot.level = {1, text};
             const std::string svg = draw_svg({plot});
             CHECK(test::well_formed(svg) == "");
             CHECK(test::well_formed(inline_svg(svg, plot)) == "");
@@ -127,20 +127,20 @@ TEST_SUITE("report: pictures") {
     TEST_CASE("percent: fractions of the data are drawn on an axis of percent") {
         Plot plot = parabola();
         plot.y.percent = true;
-        plot.y.range = {"0", "400"};
+        plot.y.range = {0, 400};
         CHECK(draw_svg({plot}).find("<path d=\"M0.0 320.0L234.0 240.0M468.0 0.0\"") !=
               std::string::npos);
     }
     TEST_CASE("logarithmic axes have powers of ten; values of 0 are left out") {
         Plot plot = parabola();
-        plot.x = {"x", true, std::pair{std::string("0.1"), std::string("10")}};
+        plot.x = {"x", true, std::pair<Real, Real>("0.1", 10)};
         const std::string svg = draw_svg({plot});
         CHECK(test::well_formed(svg) == "");
         // log10(1) is the middle of the axis; x = 0 is not drawn.
         CHECK(svg.find("<path d=\"M234.0 240.0M") != std::string::npos);
         CHECK(svg.find("10<tspan dy=\"-5\" font-size=\"10\">-1</tspan>") != std::string::npos);
         // Within a decade there are ticks, too.
-        plot.x.range = {"0.3", "0.6"};
+        plot.x.range = {Real("0.3"), Real("0.6")};
         const std::string narrow = draw_svg({plot});
         CHECK(narrow.find(">0.5</text>") != std::string::npos);
         CHECK(narrow.find(">0.2</text>") == std::string::npos);

@@ -80,8 +80,8 @@ public:
         const int height = static_cast<int>(std::lround(width_ * std::clamp(aspect, 0.2, 1.0)));
         Axis x_axis = plot_.x;
         Axis y_axis = plot_.y;
-        x_axis.range = {text_of(field_.x.front()), text_of(field_.x.back())};
-        y_axis.range = {text_of(field_.y.front()), text_of(field_.y.back())};
+        x_axis.range = {field_.x.front(), field_.x.back()};
+        y_axis.range = {field_.y.front(), field_.y.back()};
         const Scale x(x_axis, {}, false);
         const Scale y(y_axis, {}, false);
         std::string text = fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\">\n",
@@ -115,7 +115,6 @@ public:
     }
 
 private:
-    [[nodiscard]] static std::string text_of(double value) { return fmt::format("{:.17g}", value); }
     [[nodiscard]] std::string colour_of(double value) const {
         return field_.is_signed ? mixed(diverging, 0.5 + value / (2 * limit_))
                                 : mixed(sequential, value / limit_);
@@ -160,9 +159,7 @@ private:
     }
 
     [[nodiscard]] Scale scale() const {
-        return Scale(
-            {"", false, std::pair{text_of(low_), text_of(high_ > low_ ? high_ : low_ + 1)}}, {},
-            false);
+        return Scale({"", false, std::pair<Real, Real>(low_, high_)}, {}, false);
     }
 
     /// The lines of round values, each with its value. Each cell between four

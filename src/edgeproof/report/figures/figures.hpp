@@ -33,8 +33,7 @@ struct Curve {
 struct Axis {
     std::string label; ///< with its unit
     bool logarithmic = false;
-    std::optional<std::pair<std::string, std::string>> range =
-        {};               ///< exact numbers; *: chosen by the data
+    std::optional<std::pair<Real, Real>> range = {}; ///< otherwise chosen by the data
     bool percent = false; ///< of y: fractions in the data are drawn as percent, as is the range
 };
 
@@ -64,7 +63,7 @@ struct Plot {
     std::vector<std::vector<std::optional<Real>>> rows;
     std::vector<Curve> curves = {};
     /// A horizontal line: its position and its name.
-    std::optional<std::pair<std::string, std::string>> level = {};
+    std::optional<std::pair<Real, std::string>> level = {};
     /// Drawn in place of the curves, with y downwards.
     std::optional<PlaneField> field = {};
 

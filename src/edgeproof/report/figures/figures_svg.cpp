@@ -91,7 +91,7 @@ private:
         text += fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\">\n", left_margin,
                             top_margin, width(), drawing_height);
         if (plot_.level) {
-            const double y = down(Real(plot_.level->first));
+            const double y = down(plot_.level->first);
             text += fmt::format("<path d=\"M0 {0:.1f}H{1}\" {2}/>\n", y, width(),
                                 stroke({Pen::Colour::black, 3, {}, 1}));
         }

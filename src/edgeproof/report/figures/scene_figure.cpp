@@ -171,7 +171,7 @@ private:
             }
         }
         const Real top = height_ * 1.15;
-        plot.y.range = {scene_.shear ? lowest(plot, top) : "0", top.str(6)};
+        plot.y.range = {scene_.shear ? lowest(plot, top) : Real(0), top};
         return plot;
     }
     /// A place along the contact, and its values; none at a corner.
@@ -247,12 +247,12 @@ private:
         return abs(drawn(y) - chord) > height_ / tallest * straight_enough;
     }
     /// Under full stick q is infinite at the edges: its range extends down as far as p extends up.
-    [[nodiscard]] static std::string lowest(const Plot& plot, const Real& top) {
+    [[nodiscard]] static Real lowest(const Plot& plot, const Real& top) {
         Real least = 0;
         for (const auto& row : plot.rows) {
             least = row[2] ? std::min(least, *row[2]) : least;
         }
-        return std::max(least, Real(-top)).str(6);
+        return std::max(least, Real(-top));
     }
     /// Adds the curve of a sum, from its edge to the middle or to its exit, and a mark there.
     void add_sum(Plot& plot, const OfEdge& of, std::size_t i, const std::vector<Real>& places,
@@ -320,7 +320,7 @@ private:
                 }
             }
         }
-        plot.level = {Real(scene_.ask.tolerance->to<Real>() * 100).str(12),
+        plot.level = {scene_.ask.tolerance->to<Real>() * 100,
                       "tolerance " + in_percent(*scene_.ask.tolerance)};
         for (std::size_t i = 0; i < scene_.ask.terms.size(); ++i) {
             if (of.exits[i]) {
@@ -328,8 +328,8 @@ private:
                 plot.add_row(*of.exits[i]).back() = scene_.ask.tolerance->to<Real>();
             }
         }
-        plot.x.range = {Real(length * pow(Real(10), -decades)).str(6), length.str(6)};
-        plot.y.range = {pow(Real(10), floor(log10(least)) + 2).str(3), "1000"};
+        plot.x.range = {length * pow(Real(10), -decades), length};
+        plot.y.range = {pow(Real(10), floor(log10(least)) + 2), 1000};
         return plot;
     }
 

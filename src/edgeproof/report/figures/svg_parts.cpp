@@ -29,26 +29,21 @@ std::string number(double pixels) {
 
 Scale::Scale(const Axis& axis, const std::vector<Real>& values, bool to_ticks)
     : logarithmic_(axis.logarithmic) {
-    std::optional<Real> ends[2];
-    if (axis.range) {
-        const auto end = [](const std::string& text) {
-            return text == "*" ? std::optional<Real>{} : std::optional<Real>(Real(text));
-        };
-        ends[0] = end(axis.range->first);
-        ends[1] = end(axis.range->second);
-    }
-    if (values.empty() && !(ends[0] && ends[1])) {
+    if (values.empty() && !axis.range) {
         throw Error("a figure without data has no range");
     }
-    low_ = on_scale(ends[0] ? *ends[0] : *std::min_element(values.begin(), values.end()));
-    high_ = on_scale(ends[1] ? *ends[1] : *std::max_element(values.begin(), values.end()));
+    const auto [low, high] = axis.range ? *axis.range
+                                        : std::pair(*std::ranges::min_element(values),
+                                                    *std::ranges::max_element(values));
+    low_ = on_scale(low);
+    high_ = on_scale(high);
     if (!(low_ < high_)) {
         high_ = low_ + 1;
     }
-    if (to_ticks) {
+    if (to_ticks && !axis.range) {
         const Real unit = logarithmic_ ? Real(1) : step(usual_ticks);
-        low_ = ends[0] ? low_ : Real(floor(low_ / unit) * unit);
-        high_ = ends[1] ? high_ : Real(ceil(high_ / unit) * unit);
+        low_ = floor(low_ / unit) * unit;
+        high_ = ceil(high_ / unit) * unit;
     }
 }
 

@@ -25,8 +25,8 @@ inline constexpr int usual_ticks = 6;
 /// A scale of an axis: its range, and the position of a value as a part of the length.
 class Scale {
 public:
-    /// `values` are the data, from which the ends are taken that the axis leaves open. With
-    /// `to_ticks` these ends are moved outwards to the next tick. Throws Error without any value.
+    /// `values` are the data, from which the ends are taken if the axis has none. With `to_ticks`
+    /// they are then moved outwards to the next tick. Throws Error without any value.
     Scale(const Axis& axis, const std::vector<Real>& values, bool to_ticks);
 
     /// Returns 0 at the low end and 1 at the high one.

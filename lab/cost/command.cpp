@@ -33,8 +33,7 @@ std::vector<cost::CostCase> cases_of(const Options& o) {
     return cases;
 }
 
-cost::CostReport measured(const Options& o) {
-    cost::CostReport report;
+std::vector<cost::CostCell> measured(const Options& o) {
     std::vector<std::size_t> list;
     for (const std::string& digits : parts_of(o["--digits"])) {
         list.push_back(whole_number("--digits", digits, 2, most_digits_of_a_cost));
@@ -45,14 +44,8 @@ cost::CostReport measured(const Options& o) {
     options.points =
         o["--points"].empty() ? 0 : whole_number("--points", o["--points"], 1, most_points);
     const std::vector<cost::CostCase> cases = cases_of(o);
-    if (o.list("scenes").empty()) {
-        report.effects = with_progress("effects", options.progress, [&] {
-            return cost::effect_costs(cost::effect_digits, true, options.progress);
-        });
-    }
-    report.cells = with_progress("routes by digits", options.progress,
-                                 [&] { return measure(cases, options); });
-    return report;
+    return with_progress("routes by digits", options.progress,
+                         [&] { return measure(cases, options); });
 }
 
 /// Returns title, notes and aligned columns: text to the left, numbers to the right.
@@ -70,13 +63,13 @@ int cost(Options& o) {
     if (!o["--out"].empty()) {
         io::check_folder(o["--out"]); // fails before minutes of work, not after them
     }
-    const cost::CostReport report = measured(o);
+    const std::vector<cost::CostCell> cells = measured(o);
     if (!o["--out"].empty()) {
         io::write_folder(o["--out"], [&](const std::filesystem::path& folder) {
-            write_cost_page(report, folder);
+            write_cost_page(cells, folder);
         });
     }
-    for (const report::Table& table : cost_tables(report)) {
+    for (const report::Table& table : cost_tables(cells)) {
         std::printf("%s\n", aligned_text(table).c_str());
     }
     std::printf("%s; %s\n", report::program_line().c_str(), cost::machine().c_str());

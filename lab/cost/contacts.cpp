@@ -42,13 +42,14 @@ std::vector<formula::Exact> listed(const std::vector<const char*>& texts) {
     return u;
 }
 
-} // namespace
-
+/// Returns the scene of words such as "kind=hertz R=1 a=1", with the contact modulus 1.
 scene::Scene made_scene(const std::string& name, const std::string& words) {
     std::istringstream in(words + " contact_modulus=1");
     const std::vector<std::string> list{std::istream_iterator<std::string>(in), {}};
     return scene::parse_scene("", name, scene::given_scene(list).instead);
 }
+
+} // namespace
 
 std::vector<CostCase> usual_cases() {
     const char* const flat = "kind=flat-and-rounded t=0.4 R=1";

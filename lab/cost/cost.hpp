@@ -3,7 +3,6 @@
 /// The cost of a value: digits reached, evaluations counted, processor time with its spread.
 ///   contacts.cpp  contacts and points that are timed, and the routes to their pressures
 ///   measure.cpp   CostCell: a route at a number of digits over the points of a contact
-///   effects.cpp   the cost of tilt, shear, expansions and other quantities in a scene
 ///   report.cpp    tables, the page, its pictures
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/report/tables/table.hpp"
@@ -26,9 +25,6 @@ struct CostCase {
     contact::Edge edge = contact::Edge::right;
     std::vector<formula::Exact> u;
 };
-
-/// Returns the scene of words such as "kind=hertz R=1 a=1", with the contact modulus 1.
-[[nodiscard]] scene::Scene made_scene(const std::string& name, const std::string& words);
 
 /// Returns the cases that are timed if no scene is given. In the first, routes are compared: a
 /// flat-and-rounded punch, t = 0.4 a, with 40 points in a geometric sequence from u = 1e-8 a to a.
@@ -119,41 +115,20 @@ struct CostOptions {
 [[nodiscard]] std::vector<CostCell> measure(const std::vector<CostCase>& cases,
                                             const CostOptions& options);
 
-/// A scene with one thing more than its base, run by the method of `edgeproof pressure`.
-struct EffectCost {
-    std::string effect; ///< "shear under full stick"
-    std::string base;   ///< the effect with which it is compared; empty: it is itself a base
-    double seconds = 0; ///< of the processor, for the whole scene, median over repeats
-    double ratio = 1;   ///< of `seconds` to the base's
-};
-
-inline constexpr unsigned effect_digits = 50;
-
-/// Measures what a tilt, shear, expansions and extents add to ten pressures of a punch, and what
-/// ten values of the other quantities cost. Throws Interrupted.
-[[nodiscard]] std::vector<EffectCost>
-effect_costs(unsigned digits, bool timed,
-             const std::function<void(std::size_t, std::size_t)>& progress);
-
 /// share/edgeproof/report/cost.html when the program was built.
 extern const std::string_view cost_html;
-
-struct CostReport {
-    std::vector<CostCell> cells;     ///< contact by contact
-    std::vector<EffectCost> effects; ///< empty if the user's own scenes were timed
-};
 
 /// Returns the machine on which times are taken: processor, cores, compiler.
 [[nodiscard]] std::string machine();
 
 /// Returns the tables for readers: each contact with a row for each route and number of digits,
-/// growth with the digits (fitted exponents), effects. Tables without rows are left out.
-[[nodiscard]] std::vector<report::Table> cost_tables(const CostReport& report);
+/// and growth with the digits (fitted exponents). Tables without rows are left out.
+[[nodiscard]] std::vector<report::Table> cost_tables(const std::vector<CostCell>& cells);
 
 /// Writes cost.csv (every point, times in seconds) and cost.html, a self-contained page with the
 /// tables and, for the first contact, two pictures: digits right against time, and the growth of
 /// the time with the digits. figures/ has the pictures and their data. Throws InputError if the
 /// folder is not writable.
-void write_cost_page(const CostReport& report, const std::filesystem::path& folder);
+void write_cost_page(const std::vector<CostCell>& cells, const std::filesystem::path& folder);
 
 } // namespace edgeproof::cost

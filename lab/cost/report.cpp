@@ -102,17 +102,6 @@ void add_growth(Table& table, const std::vector<CostCell>& cells, const std::str
     }
 }
 
-Table effect_table(const CostReport& report) {
-    Table t = table(fmt::format("What an effect of a scene adds, at {} digits", effect_digits),
-                    {"effect", "compared with"}, {"time", "ratio"});
-    t.notes = {"a scene of ten points as the commands run it, every value proved"};
-    for (const EffectCost& e : report.effects) {
-        t.rows.push_back({e.effect, e.base, time_text(e.seconds),
-                          e.base.empty() ? "" : fmt::format("{:.2f}", e.ratio)});
-    }
-    return t;
-}
-
 Table point_table(const std::vector<CostCell>& cells) {
     Table t = table("Cost point by point", {"contact", "route", "arithmetic"}, {"digits"});
     t.columns.push_back({"u", ColumnKind::text});
@@ -194,9 +183,9 @@ std::string pictures(const std::vector<CostCell>& cells, const std::filesystem::
                    {"digits asked for", true}, time, growth, folder);
 }
 
-std::string page(const CostReport& report, const std::string& pictures_html) {
+std::string page(const std::vector<CostCell>& cells, const std::string& pictures_html) {
     Json tables = Json::array();
-    for (const Table& t : cost_tables(report)) {
+    for (const Table& t : cost_tables(cells)) {
         tables.push_back({{"id", fmt::format("table-{}", tables.size() + 1)},
                           {"title", t.title},
                           {"notes", t.notes},
@@ -229,19 +218,19 @@ std::string machine() {
                        std::thread::hardware_concurrency(), compiler);
 }
 
-std::vector<Table> cost_tables(const CostReport& report) {
+std::vector<Table> cost_tables(const std::vector<CostCell>& cells) {
     std::vector<Table> tables;
     Table growth = table("Growth with the digits", {"contact", "route"},
                          {"time ~ digits^", "ten digits more, at 50"});
     growth.notes = {
         "exponents by least squares in the logarithms, over all digits that were timed"};
-    for (const CostCell& c : report.cells) {
+    for (const CostCell& c : cells) {
         const std::string title = "What a value costs: " + c.scene;
         if (tables.empty() || tables.back().title != title) {
             tables.push_back(table(title, {"route", "in"},
                                    {"digits", "points", "right", "evaluations", "time a value",
                                     "slowest", "repeats"}));
-            add_growth(growth, report.cells, c.scene);
+            add_growth(growth, cells, c.scene);
         }
         tables.back().rows.push_back(row_of(c));
     }
@@ -254,16 +243,14 @@ std::vector<Table> cost_tables(const CostReport& report) {
             "repeats: how far repeats of one point lie apart (middle half over median)"};
     }
     tables.push_back(std::move(growth));
-    tables.push_back(effect_table(report));
     std::erase_if(tables, [](const Table& t) { return t.rows.empty(); });
     return tables;
 }
 
-void write_cost_page(const CostReport& report, const std::filesystem::path& folder) {
+void write_cost_page(const std::vector<CostCell>& cells, const std::filesystem::path& folder) {
     io::make_folder(folder / "figures");
-    io::write_whole(folder / "cost.csv",
-                    write_table(point_table(report.cells), report::TableFormat::csv));
-    io::write_whole(folder / "cost.html", page(report, pictures(report.cells, folder / "figures")));
+    io::write_whole(folder / "cost.csv", write_table(point_table(cells), report::TableFormat::csv));
+    io::write_whole(folder / "cost.html", page(cells, pictures(cells, folder / "figures")));
 }
 
 } // namespace edgeproof::cost

@@ -72,10 +72,8 @@ TEST_CASE("a power law is recovered, and too few or zero values give none") {
 }
 
 TEST_CASE("growth is fitted route by route, to medians over the points") {
-    const auto tables =
-        cost_tables({{cell("a", 50, 1e-5), cell("a", 100, 4e-5), cell("b", 50, 1e-5),
-                      cell("b", 100, 2e-5), cell("c", 50, 1e-5)},
-                     {}});
+    const auto tables = cost_tables({cell("a", 50, 1e-5), cell("a", 100, 4e-5), cell("b", 50, 1e-5),
+                                     cell("b", 100, 2e-5), cell("c", 50, 1e-5)});
     REQUIRE(tables.size() == 2);
     const std::vector<std::vector<std::string>> growth{
         {"punch", "a", "2.00", "+44 %"},
@@ -89,7 +87,7 @@ TEST_CASE("a cell counts failed values and leaves them out of the other results"
     CHECK(c.failed() == 1);
     CHECK(c.right().least == 60);
     CHECK(c.seconds().median == doctest::Approx(1e-5));
-    const auto row = cost_tables({{c}, {}}).front().rows.front();
+    const auto row = cost_tables({c}).front().rows.front();
     CHECK(row ==
           std::vector<std::string>{"a", "MPFR", "50", "4", "60*", "", "10.0 us", "30.0 us", "0 %"});
 }

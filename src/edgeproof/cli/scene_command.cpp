@@ -67,6 +67,11 @@ void refuse_words(const Options& o, const std::vector<std::string_view>& keys,
     }
 }
 
+scene::Scene read_scene(const GivenScene& given) {
+    return given.file.empty() ? scene::parse_scene("", "command line", given.instead)
+                              : scene::read_scene(given.file, given.instead);
+}
+
 scene::Scene asked_scene(const Options& o) {
     (void)table_format(o); // checked before any work
     const Rounding rounding = rounding_of(o["--round"]);
@@ -78,8 +83,7 @@ scene::Scene asked_scene(const Options& o) {
         }
         o.as_file = scene::scene_text(given_scene(shown, shipped_scenes).instead);
     }
-    scene::Scene scene = given.file.empty() ? scene::parse_scene("", "command line", given.instead)
-                                            : scene::read_scene(given.file, given.instead);
+    scene::Scene scene = read_scene(given);
     choose_step(scene, o["--step"]);
     if (!o["--digits"].empty()) {
         scene.ask.digits.count = digits_of(o["--digits"], most_digits_of_a_scene);

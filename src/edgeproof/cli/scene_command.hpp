@@ -21,6 +21,7 @@ using scene::refuse_whole_tolerance;
 /// Reads the words of a scene. `folder`: the shipped files that a bare name may mean.
 [[nodiscard]] GivenScene given_scene(const std::vector<std::string>& words,
                                      std::string_view folder);
+[[nodiscard]] scene::Scene read_scene(const GivenScene& given);
 
 /// Returns the command line with words in place of options for keys of a scene, if its command
 /// takes a scene: `--R 100` becomes R=100, `--u 1e-3 0.1` u=1e-3,0.1, and `--hertz` kind=hertz.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edgeproof/cli/scene_command.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -56,19 +58,25 @@ std::map<std::string, std::string, std::less<>> comparison_options(const Options
 int compare(Options& o) {
     const bool json = o.has("--json") || text_or_json(o["--format"]);
     io::check_output(o["--out"]);
-    require(!o["scene"].empty() && !o.list("results").empty(),
+    std::vector<std::string> words{o["scene"]};
+    std::vector<std::string> files;
+    for (const std::string& word : o.list("results")) {
+        (scene::key_length(word) == std::string::npos ? files : words).push_back(word);
+    }
+    require(!o["scene"].empty() && !files.empty(),
             o["scene"].empty() ? "no scene is given" : "no result is given",
             "write edgeproof compare SCENE.toml RESULT.csv");
     const auto asked = comparison_options(o);
-    scene::Scene scene = scene::read_scene(file_or_shipped(o["scene"], shipped_scenes));
+    scene::Scene scene = read_scene(given_scene(words, shipped_scenes));
     choose_step(scene, o["--step"]);
     std::vector<std::pair<std::string, std::string>> results;
-    for (const std::string& file : o.list("results")) {
+    for (const std::string& file : files) {
         results.emplace_back(io::read_text(file, "result (a table of x and p)"), file);
     }
     std::function<void(std::size_t, std::size_t)> progress;
+    const std::string name = fmt::format("{}", fmt::join(words, " "));
     const report::ComparedResults found = with_progress("files", progress, [&] {
-        return report::compare_results(progress, scene, o["scene"], results, asked);
+        return report::compare_results(progress, scene, name, results, asked);
     });
     const std::string text = json ? found.json : printable_lines(found.text);
     const bool printed = o["--out"].empty() || o["--out"] == "-";

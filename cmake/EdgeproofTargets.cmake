@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 include(${CMAKE_CURRENT_LIST_DIR}/UnitsByFolder.cmake)
 
 # edgeproof_own_flags(<target> [QUICK]): settings that every target of this build shares. Installed

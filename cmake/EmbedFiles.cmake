@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 
 # edgeproof_embed_files(<target> NAMESPACE <ns> HEADER <declares them> FILES <files>...)
 # Adds each file as a `const std::string_view <name>_<extension>` in edgeproof::<ns>, in a source

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 # The target FLINT::Arb: FLINT with Arb. FLINT 3 contains Arb (<flint/arb.h>); the target then
 # defines EDGEPROOF_ARB_IN_FLINT. With FLINT 2.9, Arb is a separate library (<arb.h>), which Debian
 # 12 calls flint-arb.

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 # import_library(<Package> HEADER <file> LIBRARY <names...>): the body of the find modules in this
 # folder. Makes the imported target <Package>::<Package>; its headers count as system headers.
 function(import_library package)

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 # Includes point down: the target include_order, on which every module depends, fails if a source
 # includes a header of a folder above its own in src/edgeproof/folders.txt. It runs again when a
 # source has changed.

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs the files other than programs and libraries: ledgers, recipes, tables and scenes, which
 # the program finds by their names (src/edgeproof/cli/installed.cpp); the documents; the manual
 # pages that the program itself writes; completions.

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 # Every operation of MPFR allocates its result, so that an allocator that keeps small blocks for
 # each thread makes a verification faster. Only the programs are linked with it; users of Edgeproof's
 # libraries choose their own. The sanitizers have an allocator of their own.

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 # `cpack -G DEB` in the build folder makes edgeproof (the program, its manual pages and the files that
 # it finds by name),
 # libedgeproof-dev, python3-edgeproof (if it was built) and edgeproof-doc. The dependencies are those

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 
 # edgeproof_add_version(<target>)
 # Adds a source with the version and the commit. Every build checks it, and compiles it if one of

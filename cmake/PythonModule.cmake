@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 # The Python package edgeproof, built if Python's headers and pybind11 are found: the module
 # edgeproof._edgeproof of src/edgeproof/python, together with the sources of python/edgeproof. The
 # build makes the whole package in <build>/python. This file is included before the modules are

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 
 # edgeproof_units_by_folder(<target> <root> <sources>): compiles the sources of each folder below
 # <root> as one unit, so that local names of different folders do not collide.

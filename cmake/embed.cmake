@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 # Writes OUTPUT, a C++ source that contains the text of FILES; see EmbedFiles.cmake.
 set(source "// Made by cmake/embed.cmake.\n#include \"${HEADER}\"\n\nnamespace edgeproof::${NAMESPACE} {\n")
 foreach(file IN LISTS FILES)

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 # Fails if a file of src/edgeproof or lab includes a header of a folder that folders.txt lists after
 # its own; see IncludeOrder.cmake. A module's own header, <module>/<module>.hpp, may include all of
 # the module. The Python module includes edgeproof.hpp and nothing else of the project, the command

@@ -1,2 +1,2 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // The only source of the target that owns the precompiled header of the targets built with QUICK.

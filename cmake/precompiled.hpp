@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // Headers that nearly every source includes: parsing them once halves the time of a clean build
 // (option EDGEPROOF_PCH). No source may rely on this header; presets without it check that.
 #include "edgeproof/formula/expr.hpp"

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 # cmake -D SOURCE=<source tree> -D VERSION=<version> -D OUTPUT=<C++ source> [-D GIT=<git>] -P ...
 # Writes the version and the commit as a C++ source, if they differ from those in it. The commit is
 # that of a release's archive (cmake/commit.txt, .gitattributes), else git's; else none.

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // values SCENE COUNT: pressures of bench/binary64/punch.toml (a = 1, t = 2/5, E* = R = 1) at COUNT
 // places in a geometric sequence from u = 1e-16 to 1, in binary64: correctly rounded; by the
 // textbook's formula in double; by Boost.Math's tanh-sinh in double, with the singularity removed

@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Arb's rigorous integrator. Reads lines of id family digits u m t K W (a = 1; decimals), writes
  * id, value, evaluations, processor seconds per value (the median of the repeats).
  *

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // Boost.Math's tanh-sinh in several arithmetics. Reads lines of id family digits u m t K W (a =
 // 1; decimals), writes id, value, evaluations, seconds for a value (of the processor, median of the
 // repeats). The arithmetic is mpfr_float of run-time precision; with -DSTATIC mpfr_float of 50 and

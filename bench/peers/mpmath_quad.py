@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """mpmath's quad. Reads lines of id family digits u m t K (a = 1; decimals), writes id, value,
 evaluations, seconds for a value (of the processor, median of the repeats). The first argument is
 the method: tanh-sinh or gauss-legendre. The substitutions are those of the other programs:

@@ -1,4 +1,4 @@
-\\ SPDX-License-Identifier: GPL-3.0-or-later
+\\ SPDX-License-Identifier: BSD-3-Clause
 \\ PARI's intnum and intnumgauss. Reads lines of id family digits u m t K (a = 1; decimals) from
 \\ descriptor 3 and writes id, value, evaluations and processor seconds per value (the mean of as many
 \\ repeats as its clock of milliseconds needs). The environment variable PEER_RULE is intnum,

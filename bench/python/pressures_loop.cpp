@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // pressures_loop SCENE COUNT RUNS: writes the seconds for COUNT pressures of a scene in a loop of
 // C++, with places and values in arrays of double; a line for each run. The contact is solved
 // before.

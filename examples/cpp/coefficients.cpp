@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // The coefficients of the pressure at both edges of a tilted wedge, proved:
 //     p(u) = c_0 u^(1/2) + c_1 u^(3/2) + c_2 u^(5/2) + ...    u: distance inwards from the edge
 // The left edge is not given: it follows from the profile and the right edge.

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // How far from the edge are one, two and three terms within 1 % of the pressure?
 #include <edgeproof/edgeproof.hpp>
 

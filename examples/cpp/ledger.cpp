@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // Formulas as they are printed somewhere, verified: one that is right and one whose sign is wrong.
 // The ledger could as well stand in a file: audit::read_ledger("paper.toml").
 #include "edgeproof/audit/run.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // A proved pressure: a flat punch with rounded corners, one hundredth from the edge.
 //
 // Units are yours as long as they agree. Here lengths are in units of a, pressures in units of E*.

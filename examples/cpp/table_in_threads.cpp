@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // A table of pressures made by all processors. Values are put where they belong, so that the table
 // is the same for every number of threads.
 #include "edgeproof/contact/contact.hpp"

@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Answers the questions of `edgeproof points` in double precision (C99).
  *
  *     cc -O2 -o closed_forms closed_forms.c -lm

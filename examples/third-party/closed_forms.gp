@@ -1,4 +1,4 @@
-\\ SPDX-License-Identifier: GPL-3.0-or-later
+\\ SPDX-License-Identifier: BSD-3-Clause
 \\ Answers the questions of `edgeproof points` to 30 digits with PARI/GP (package pari-gp):
 \\
 \\     edgeproof check questions.toml --exec 'gp -q closed_forms.gp' --digits 30

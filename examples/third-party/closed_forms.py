@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Answers the questions of `edgeproof points` in double precision (Python's standard library).
 
     edgeproof points questions.toml | python3 closed_forms.py | edgeproof check - --digits 13

@@ -1,4 +1,4 @@
-! SPDX-License-Identifier: GPL-3.0-or-later
+! SPDX-License-Identifier: BSD-3-Clause
 ! Answers the questions of `edgeproof points` by quadrature in real*8, without closed forms:
 !
 !     gfortran -O2 -o quadrature quadrature.f90

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """The formulas of closed_forms.py to 30 digits, with mpmath (package python3-mpmath).
 
     edgeproof check questions.toml --exec 'python3 thirty_digits.py' --digits 30

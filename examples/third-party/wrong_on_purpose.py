@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """closed_forms.py with six faults, each of which `edgeproof check` must find and name."""
 import csv
 import struct

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/witness/witness.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// The cost of a value: digits reached, evaluations counted, processor time with its spread.
 ///   contacts.cpp  contacts and points that are timed, and the routes to their pressures

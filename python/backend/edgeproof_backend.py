@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Builds the Python package by cmake, for pip and other frontends (PEP 517).
 
 Only Python's standard library is used, so that a build needs no package from the network. Settings

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Scenes with very many digits, and relations, computed in a process of their own.
 
 A single operation on numbers of many thousand digits (such as a hypergeometric function) may take

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Reads the arguments of public functions by their annotations.
 
 An argument that is annotated as a Number arrives in the function as its exact text, one that is an

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 # Types of the compiled module. tests/python/test_stubs.py compares them with the module.
 from collections.abc import Callable, Mapping, Sequence
 from decimal import Decimal

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Explains why the compiled module cannot be imported. Python 3.6 and later can read this file."""
 
 import glob

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Converts Python's numbers to exact text, which the library reads."""
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Draws the panels of the command `edgeproof plot` with matplotlib, for Scene.plot()."""
 
 from __future__ import annotations

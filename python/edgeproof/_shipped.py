@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Finds files that came with the program by their names: "moore-hills" is a ledger."""
 
 from __future__ import annotations

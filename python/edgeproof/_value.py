@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Completes the compiled class Value: its numbers as Python's, its texts, and pickle."""
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Compares printed formulas with the mechanics: ledgers of claims and their verdicts."""
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Compares results of meshes, x and p, with the exact contact."""
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """The exceptions that edgeproof raises on purpose. All of them derive from Error."""
 
 from __future__ import annotations

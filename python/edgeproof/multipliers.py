@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Finds polynomial relations between the multipliers of both edges that hold for every profile."""
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Finds the parameter of a scene for which an approximation reaches farthest."""
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Profiles of the gap between the bodies: the slope g'(x), convex, with its minimum at x = 0."""
 
 from __future__ import annotations

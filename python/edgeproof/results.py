@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """The results of a scene as plain objects. All have to_dict()."""
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Scenes: a profile under a load, and the quantities that can be computed."""
 
 from __future__ import annotations

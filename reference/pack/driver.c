@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Holds a contact code against the conformance pack (C99).
  *
  *     cc -O2 -o driver driver.c example.c -lm      (your file in place of example.c)

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // Holds a contact code against the conformance pack (C++17).
 //
 //     c++ -std=c++17 -O2 -o driver driver.cpp example.cpp      (your file in place of example.cpp)

@@ -1,4 +1,4 @@
-! SPDX-License-Identifier: GPL-3.0-or-later
+! SPDX-License-Identifier: BSD-3-Clause
 ! Holds a contact code against the conformance pack (Fortran 2008).
 !
 !     gfortran -O2 -o driver edgeproof_case.f90 example.f90 driver.f90   (yours for example.f90)

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // A question of the conformance pack, and the function that answers it. README.md explains both.
 #pragma once
 #include <optional>

@@ -1,4 +1,4 @@
-! SPDX-License-Identifier: GPL-3.0-or-later
+! SPDX-License-Identifier: BSD-3-Clause
 ! Hertz's line contact in double, as an example of a code that answers some of the pack.
 module edgeproof_answers
     use edgeproof_case

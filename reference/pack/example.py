@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Hertz's line contact to 50 digits, as an example of a code that answers some of the pack."""
 import decimal
 from decimal import Decimal

@@ -1,4 +1,4 @@
-% SPDX-License-Identifier: GPL-3.0-or-later
+% SPDX-License-Identifier: BSD-3-Clause
 % Holds a contact code against the conformance pack (GNU Octave).
 %
 %     octave-cli --eval "exit(run_pack('A', {'level-a.csv'}))"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // The claims of the tables claims/*.txt. Their lines are (\ continues a line):
 //     ledger NAME                         begins the families and the rows of a ledger
 //     family NAME | KEY = VALUE, ... | ...     a family: keys and lists of parameters

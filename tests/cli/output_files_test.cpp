@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // Outputs to devices, FIFOs, links, descriptors, files with permissions, and places that cannot be
 // written.
 #include "tests/cli/inputs.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/io/foreign_text.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 #include "tests/cli/inputs.hpp"

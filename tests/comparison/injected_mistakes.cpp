@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/comparison/injected_mistakes.hpp"
 
 #include <fmt/format.h>

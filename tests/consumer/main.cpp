@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // An outside project: the pressure of a Hertzian contact, by a route and as an enclosure. With
 // E* = 2, R = 1, a = 1 it is sqrt(1 - x^2) exactly: at x = 3/5, 0.8.
 #include "edgeproof/contact/contact.hpp"

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 # cmake -D BUILD=<build> -D WORK=<scratch> -D CXX=<compiler> -D SANITIZE=<as the build>
 #       -D EXAMPLES=<folder of the build's examples> -P run.cmake
 # Installs the build into a scratch folder, builds the project in this folder against it, runs it,

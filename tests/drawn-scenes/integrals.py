@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """The contact, the load and the pressures by the singular integral equation (moore-hills eqn:ContactPressure), which is
 evaluated by tanh-sinh quadrature in numpy's long double."""
 import re

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """command_line.py PROGRAM SOURCE [--runs N] [--seed S] [--jobs J] [--only I] [--keep FOLDER]
 
 Runs the program with command lines drawn from a seed: all subcommands, with the shipped files

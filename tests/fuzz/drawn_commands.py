@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Command lines for command_line.py: every subcommand with random files and options, mostly cheap
 ones."""
 import dataclasses

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Input files for command_line.py: reduced copies of the shipped files, and structured mutations of them."""
 import pathlib
 import re

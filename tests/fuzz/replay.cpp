@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // REPLAY COUNT FILE...: gives a reader every file, and COUNT texts made from them by cutting,
 // doubling, mixing and overwriting, always the same ones. It is for compilers without libFuzzer,
 // and for reproducible runs. If EDGEPROOF_FUZZ_KEEP is set, the current text is in the file

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes axisymmetric.txt, a table as tests/scene/values.txt: drawn contacts of revolution, then some with curved slopes.
 
 Sneddon's relations (1965): with r = s sin(t), the approach of the contact of radius s is h(s) = integral of s g'(r) dt;

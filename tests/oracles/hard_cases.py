@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Computes the values of reference/hard-cases.toml with mpmath, without Edgeproof: a table as tests/scene/values.txt.
 
     tests/oracles/hard_cases.py > tests/oracles/hard-cases.txt

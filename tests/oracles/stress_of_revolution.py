@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Writes stress_of_revolution.txt, a table as tests/scene/values.txt: stresses inside bodies of revolution.
 
 A body is a sum of flat punches of the radius s, each under the pressure of the approach h'(s) ds,

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """The cases of cases.txt: statements, a line each, that are true of the package."""
 import copy
 import csv

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """The examples of docs/guide/python.md and of the package print the results that are shown."""
 import doctest
 import os

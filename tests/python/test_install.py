@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """The commands of README and docs/guide/python.md install the package where Python finds it, and a
 package without its compiled module states what to run."""
 import base64

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Ctrl-C: tests in a separate process, which receives SIGINT when it reports that it is at work."""
 import os
 import pathlib

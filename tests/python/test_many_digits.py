@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Values with more digits than Python's limit for integers, computed in a separate process."""
 import math
 import pickle

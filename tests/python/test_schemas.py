@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """The JSON schemas agree with the files that the program writes and reads, and refuse the files
 that the readers refuse because of their form."""
 import datetime

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """The stub file agrees with the compiled module, and every public name is documented."""
 import ast
 import inspect

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 #include "tests/support/namespaces.hpp"

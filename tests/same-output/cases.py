@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """The cases of scripts/same-output: command lines with the files that they read."""
 import dataclasses
 import importlib.util

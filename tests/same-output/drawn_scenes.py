@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Scenes and recipes drawn from a random generator. Most of them are valid."""
 
 NUMBERS = ["1", "3/2", "0.7", "2", "sqrt(2)", "pi/3", "37/40"]

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """What scripts/same-output ignores in its modes `bounds` and `verdicts`."""
 import decimal
 import json

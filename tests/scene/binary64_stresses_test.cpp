@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/scene/binary64_values.hpp"
 
 #include "edgeproof/precision/double_word/binary64_ball.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/binary64_values.hpp"
 #include "tests/scene/scene_words.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // Load histories: the layers of the traction, the law of friction, and the energy of a cycle.
 #include "edgeproof/precision/error.hpp"
 #include "tests/scene/scene_words.hpp"

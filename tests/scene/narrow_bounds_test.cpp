@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // Every value is proved, and narrower than 10 units of its last digit: all profiles, with edges on
 // knots, flats that hold the minimum, and where digits are lost.
 #include "edgeproof/precision/error.hpp"

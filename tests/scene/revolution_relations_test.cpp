@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // A ring of pressure displaces the surface of a half-space by an elliptic integral (johnson1985,
 // eqs. 3.96, 3.97 and section 3.8): u_z(r) = 4/(pi E*) times the integral of
 // p(s) s/(r + s) K(2 sqrt(r s)/(r + s)) ds over the contact. It is delta - g(r) inside the contact,

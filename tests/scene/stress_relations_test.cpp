@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // Relations of the stresses in a body: to the tractions, and to the greatest stresses.
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/quadrature/tanh_sinh.hpp"

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 # cmake -D SOURCE=<tree> -D WORK=<scratch> -D CXX=<compiler> -P flags.cmake
 # A newer compiler may have new warnings, which must not break a user's build. Therefore -Werror is
 # in the commands of the preset `ci`, but not in those of `release` or of a configuration without a

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 # cmake -D BUILD=<build> -D WORK=<scratch> -D PYTHON=<python3, or empty>
 #       -P packages.cmake
 # Makes the Debian packages of a build, checks them with lintian if it is installed, unpacks them

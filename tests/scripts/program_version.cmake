@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 # cmake -D SOURCE=<tree> -D WORK=<scratch> -D GIT=<git, or nothing> -P program_version.cmake
 # Checks the commit in a build: an archive's, else git's (and whether files differ from it), else
 # none. The source that contains it is written only if it changes.

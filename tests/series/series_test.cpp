@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/precision/rational.hpp"
 #include "edgeproof/series/truncated.hpp"
 #include "tests/support/namespaces.hpp"

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """A copy of the source tree with a build of its own, for tests that change the source."""
 import fcntl
 import os

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // A headless Chromium, driven by its DevTools protocol through a pipe.
 'use strict';
 const {spawn} = require('node:child_process');

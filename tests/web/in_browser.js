@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // node in_browser.js PAGE PROGRAM [PICTURES [PART-OF-A-NAME]]: the page in headless Chromium: every profile and
 // quantity, wrong input, Stop, the link, the keyboard, narrow and dark displays, print, and that
 // nothing is requested. Results are compared with the native program. PICTURES is a folder for

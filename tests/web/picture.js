@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // node picture.js PAGE FILE.png: the upper part of the page, with a result, for README.md.
 'use strict';
 const path = require('node:path');

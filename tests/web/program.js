@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // The program as the page has it (in Node), and the native program, for the tests in this folder.
 'use strict';
 const {spawnSync} = require('node:child_process');

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // node same_bytes.js MODULE-FOLDER PROGRAM [SCENES [SEED]]: runs the scenes of examples/scenes and
 // drawn ones, until SCENES of them were computed and not refused, by the page's module and by the
 // native program. Exit 1 unless status, standard output, standard error and pictures have the same

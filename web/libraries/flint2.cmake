@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 # FLINT 2 and Arb: their sources, and what their configure scripts write.
 set(flint ${LIBRARIES}/flint)
 set(arb ${LIBRARIES}/flint-arb)

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 # FLINT 3, which contains Arb: its sources, and what its configure script writes.
 set(flint ${LIBRARIES}/flint/src)
 

@@ -1,4 +1,4 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* FLINT 3's real and complex numbers convert from algebraic numbers and symbolic expressions. The
  * page has none of these: their modules are not compiled, and the conversions end the program. */
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// Parts of C++20 that the program uses, for the C++ library of Emscripten 3.1.6 (libc++ 13 has no
 /// algorithms for ranges, for example) and 3.1.69 (libc++ 19 reads no double). Included before

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // The form, its link, and the buttons.
 
 const byId = (id) => document.getElementById(id);

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // What the page shows. Text of a user or of the program is inserted as text, never as HTML.
 
 const element = (name, attributes = {}, ...children) => {

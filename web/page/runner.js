@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // Runs one command of the program in a new instance of the module. Used by the page's worker and,
 // in Node, by the tests.
 

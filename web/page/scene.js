@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // The state of the form, as the text of a scene file and as the fragment of a link. No document is
 // used here: the tests run this file in Node, too.
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // The page's worker: runs the commands that it is sent, one after another. Its text begins with
 // edgeproof.js and runner.js. The first message is the compiled module.
 let compiled;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """A boundary-element program for a contact with a half-plane, as a user writes one: elements of even
 width and constant pressure, places in contact by an active set. numpy alone.
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """CalculiX (ccx, Debian's calculix-ccx): writes the mesh, runs it, and takes the contact stresses (CSTR)
 at the nodes from its .dat file. One layer of bricks (C3D8) between two planes that keep it in plane
 strain; contact node to surface, with linear pressure-overclosure. With --quadratic the bricks are

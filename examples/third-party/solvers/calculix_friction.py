@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """CalculiX (ccx, Debian's calculix-ccx) with friction: two like bodies of bricks (C3D8) in plane strain. The
 lower one has the pad's shape, the upper one is its mirror image without it. The outside of the lower body is
 held; that of the upper body moves as a whole, under P in the first step and under P and Q in the second.

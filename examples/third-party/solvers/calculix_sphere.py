@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """CalculiX (ccx, Debian's calculix-ccx) on a ball: one sector of the half-space, of wedges (C3D6) at the
 axis and bricks (C3D8) between two planes through it in which the nodes stay; otherwise as calculix.py.
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """GetFEM (Debian's python3-getfem): quadratic displacements, the contact pressure as a linear multiplier
 on the upper side, the contact condition by Alart and Curnier's augmented Lagrangian. The load is P
 itself, by the pad's approach as an unknown of its own.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Measures the error that a correct mesh has by itself, away from the edges, in runs of CalculiX, from
 which `edgeproof compare` learns what to allow for a mesh (mesh_error.hpp).
 

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """What the three programs share: the pad of a scene, the half-plane, meshes, and `edgeproof compare`.
 
 Lengths in mm, forces in N per mm of thickness, pressures in MPa. The half-plane is y < 0; the rigid

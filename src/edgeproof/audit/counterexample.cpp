@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/algebra/identity.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/audit/run.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// Comparison of mesh results, tables of x and p with a few correct digits, with the exact contact.
 ///   input/result_table.hpp      ResultTable: a program's table, with any columns and separators

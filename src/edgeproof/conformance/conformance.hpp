@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// Reference values, and the comparison of other programs' numbers with them.
 ///   questions/question.hpp     Question: a value requested for a contact; Recipe: grids of

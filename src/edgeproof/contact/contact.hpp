@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// The mechanics of an incomplete contact between half-planes. The formulas in law/ are templates
 /// over the number type. The contacts are in balls (proved); the witness is in Real (estimates).

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // The checks of edgeproof.hpp: formulas, programs, meshes, and the commands as JSON.
 #include "edgeproof/interface/enclosed_value.hpp"
 #include "edgeproof/report/report.hpp"

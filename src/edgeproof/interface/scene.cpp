@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // Scene of edgeproof.hpp: texts become the types of the library, and back.
 #include "edgeproof/interface/enclosed_value.hpp"
 #include "edgeproof/io/text_file.hpp"

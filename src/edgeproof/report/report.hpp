@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// Reports for the user, and what a program needs to make them: the command line includes this
 /// header and edgeproof.hpp.

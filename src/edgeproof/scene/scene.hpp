@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 /// A TOML file becomes a Scene, a Plan and a SceneResult:
 ///   scene_file.hpp   Scene, read_scene: exact numbers, errors with file and line

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // The greatest stresses of a body, and the stresses near an edge.
 #include "edgeproof/scene/run_scene.hpp"
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/audit/relations/relations.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/error.hpp"

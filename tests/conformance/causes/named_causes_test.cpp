@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/conformance/causes/wrong_programs.hpp"

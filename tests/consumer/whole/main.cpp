@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // An outside project that names no module. With E* = 2, R = 1, a = 1 the pressure is
 // sqrt(1 - x^2), sqrt(0.19) at x = 9/10, and c_0 = sqrt(2).
 #include <edgeproof/edgeproof.hpp>

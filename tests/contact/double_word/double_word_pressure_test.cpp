@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/contact/double_word/double_word_pressure.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/precision/split_mix.hpp"

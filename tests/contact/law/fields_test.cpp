@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/contact/law/edge_expansion.hpp"
 #include "edgeproof/contact/law/kernels.hpp"
 #include "tests/support/namespaces.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "tests/contact/scenes.hpp"
 
 #include "edgeproof/contact/curved/proved_slip.hpp"

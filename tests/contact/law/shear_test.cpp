@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/witness/edge_equations.hpp"

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Claims with their truth, their families, and the text of a ledger."""
 import dataclasses
 

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Runs `edgeproof verify` on drawn ledgers and counts verdicts by the known truth of the claims."""
 import collections
 import concurrent.futures

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Independent values of every name in a formula: closed forms of contact mechanics, evaluated by
 mpmath.
 

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Equivalent texts of a formula, and edits whose effect is known."""
 
 # Names that every scene has, none of them zero.

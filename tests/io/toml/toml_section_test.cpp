@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/io/toml/toml_section.hpp"
 
 #include "edgeproof/io/toml/toml_text.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/roots/power_law_fit.hpp"
 #include "lab/cost/cost.hpp"
 #include "tests/support/namespaces.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
 #include "edgeproof/scene/run_scene.hpp"

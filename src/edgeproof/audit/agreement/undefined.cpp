@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/audit/agreement/enclosures.hpp"
 
 #include "edgeproof/audit/enclosure/enclosed_integral.hpp"

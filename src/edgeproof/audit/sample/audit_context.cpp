@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/audit/sample/audit_context.hpp"
 
 #include "edgeproof/audit/ledger/claim.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/comparison/causes/causes.hpp"
 #include "edgeproof/roots/place_of_minimum.hpp"
 

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/comparison/measures/exact_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/law/shear.hpp"

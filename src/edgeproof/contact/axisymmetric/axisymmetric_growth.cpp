@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // The approach of an axisymmetric contact as a function of its radius, and what follows from it at
 // the edge.
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // The pressure of an axisymmetric contact, and its series.
 #include "edgeproof/contact/axisymmetric/abel_integral.hpp"
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // The Cauchy integral of the pressure over a curved slope, at points and over boxes
 // (docs/stress.md, "Curved slopes").
 #include "edgeproof/contact/curved/integrated_contact.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 // The gap beside a contact of a curved slope, and the potential of its pressure along the surface
 // (docs/stress.md, "The displacements").
 #include "edgeproof/contact/curved/integrated_contact.hpp"

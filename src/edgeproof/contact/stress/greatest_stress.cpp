@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/contact/stress/greatest_stress.hpp"
 
 #include "edgeproof/contact/stress/isolated_pair.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/precision/double_word/function_tables.hpp"
 
 #include "edgeproof/precision/double_word/double_word.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/report/figures/svg_parts.hpp"
 #include "edgeproof/report/text/escape.hpp"

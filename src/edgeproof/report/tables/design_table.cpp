@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/report/tables/design_table.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 

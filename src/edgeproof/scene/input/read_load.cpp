@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/scene/input/readers.hpp"
 #include "edgeproof/scene/input/scene_words.hpp"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/algebra/identity.hpp"
 #include "edgeproof/contact/slip/slip_reach.hpp"
 #include "edgeproof/formula/exact/enclosure.hpp"

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """One module for each group of kinds of claim. KINDS: the functions that draw one claim, of all modules."""
 import importlib
 import pathlib

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Claims of the kind condition: inequalities, many of which become equalities at
 a point."""
 from .. import scenes

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Claims of the kind expansion: a series in a small distance, power by power."""
 from .. import scenes
 from ..ledger import Claim

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Claims about quantities under each of two loads, and of the kind relations."""
 from .. import scenes
 from ..ledger import Claim

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Figures and conditions about the distance within which n terms meet a tolerance."""
 from mpmath import mp, mpf
 

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Formulas with rounded constants. A printed decimal means the interval of half a unit in its last
 digit: a formula is true if some choice of constants in their intervals is right at all samples,
 else it is false.

@@ -1,4 +1,4 @@
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: BSD-3-Clause
 """Conditions along a parameter: a quantity that grows or falls, or comes nearer to a number by half at
 each step. The truth is that of the listed values, computed by mpmath."""
 import re

@@ -71,9 +71,9 @@ private:
         std::vector<std::optional<Real>> exits; ///< by number of terms, in the order of the request
     };
     [[nodiscard]] static scene::Digits digits() { return {picture_digits, Rounding::nearest}; }
-    /// False for curved slopes of revolution.
+    /// False for curved slopes of revolution, for which a search may take minutes.
     [[nodiscard]] static bool has_extents(const scene::Scene& scene) {
-        return !lack_of(scene, scene::AskedValue{scene::Quantity::extent});
+        return !scene.curved_body();
     }
     [[nodiscard]] static std::vector<scene::AskedValue> asked(const scene::Scene& scene) {
         using scene::Quantity;

@@ -126,7 +126,7 @@ TEST_CASE("every command that examples/README.md names runs") {
         CHECK(o.err.empty());
         ++commands;
     }
-    CHECK(commands == 17);
+    CHECK(commands == 18);
 }
 
 // csv.DictReader and numpy.genfromtxt(names=True) take the first line for the header.

@@ -93,7 +93,7 @@ TEST_CASE("edgeproof.hpp: questions that make no sense are refused with what to 
                                                  {"c_0", "edge=top", "no edge 'top'"},
                                                  {"sxx", "at=1", "add at=X,Z"},
                                                  {"sxx", "at=0,1 body=C", "write A"},
-                                                 {"q", "u=1", "add [shear]"},
+                                                 {"q", "u=1", "add Q or bulk_tension"},
                                                  {"c_0", "edge=right x", "write u="},
                                                  {"extent_1", "tolerance=-1", "tolerance > 0"}}) {
         const std::string message = message_of(hertz, quantity, where);

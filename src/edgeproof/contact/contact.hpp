@@ -12,6 +12,7 @@
 ///   enclosure/ball_contact.hpp        BallContact: the contact in balls, proved
 ///   enclosure/zone_equations.hpp      the edges for a force, an edge or a tilt, by interval Newton
 ///   enclosure/exact_contact.hpp       exact values; edges on a knot, decided by exact algebra
+///   enclosure/taylor_cover.hpp        TaylorCover: series of a function with expensive values
 ///   enclosure/ball_extent.hpp         how far n terms stay within a tolerance, proved
 ///   slip/ball_slip.hpp                BallSlip: partial slip, proved
 ///   slip/stick_zone.hpp               ZoneSolver: the stick zone under any force and tilt

@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSD-3-Clause *)
 From Coq Require Import Reals Lra Lia List FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
 From Edgeproof Require Import Contact Coefficients Edges Symmetric TiltedWedge Unique Stick ClosedForm Limits Similar Inversion Resultant LoadOfPressure Forward Dilogarithm LogPressure.

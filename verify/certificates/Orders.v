@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSD-3-Clause *)
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Edgeproof Require Import Contact Coefficients Edges ClosedForm TiltedWedge Unique Tactics Expansions HalfPowers PressureExpansions Sides.

@@ -1,4 +1,4 @@
-(* SPDX-License-Identifier: GPL-3.0-or-later *)
+(* SPDX-License-Identifier: BSD-3-Clause *)
 From Coq Require Import Reals Lra Lia List.
 From Coquelicot Require Import Coquelicot.
 From Edgeproof Require Import Contact Coefficients Edges Symmetric TiltedWedge Shear Unique Stick Sides Orders Gamma PowerLaw Limits Inversion LoadOfPressure Forward.

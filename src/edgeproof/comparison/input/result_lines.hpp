@@ -104,6 +104,33 @@ struct TableHeader {
 /// Throws InputError if x or p are not found, or are found twice, and for a unit of the wrong kind.
 [[nodiscard]] TableHeader read_header(const ResultText& text, const ResultReading& reading);
 
+/// The contact output of a node, in the order of an .frd file.
+enum ContactValue : std::size_t { copen, cslip1, cslip2, cpress, cshear1, cshear2, contact_values };
+
+/// A number as it stands in the file; without a text there is none.
+struct FrdNumber {
+    std::string text;
+    double value = 0;
+};
+struct FrdRow {
+    std::vector<FrdNumber> values;
+    std::size_t line = 0;
+};
+using FrdRows = std::map<std::string, FrdRow, std::less<>>; ///< by the number of the node
+
+/// The values of a file at each node; the last step replaces those before.
+struct FrdContents {
+    FrdRows places;
+    FrdRows contact; ///< contact_values
+    FrdRows stress;  ///< SXX, SYY, SZZ
+    std::size_t steps = 0;
+};
+
+/// Reads an .frd file of CalculiX in text: lines of fixed columns, one for a node. Throws
+/// InputError, with the line, for a row that is not as CalculiX writes it, a node with two rows and
+/// a file that ends inside a block; of a binary file for its first block.
+[[nodiscard]] FrdContents read_frd(std::string_view text, const std::string& file);
+
 /// A result of CalculiX as a table with the names COORD1, COORD2, COORD3, CPRESS, CSHEAR1, COPEN,
 /// CSLIP1, S11: a row for each node of the slave surface, with its place before the deformation. If
 /// the contact does not lie along COORD1, the first column is x, and S11 is the stress along it. Of

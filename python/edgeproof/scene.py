@@ -481,6 +481,8 @@ class Scene:
                  digits: int | None = None) -> Row:
         """The greatest "mises" or "tau_max" in a body, or "sxx" on its surface, and its place.
 
+        Of a body of revolution the greatest on its axis.
+
         Raises InputError for a stress that is infinite or has no greatest value.
         """
         found = json.loads(self._native.greatest(stress, _is_B(body), digits or self.digits))

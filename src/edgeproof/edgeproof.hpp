@@ -149,8 +149,8 @@ public:
     /// "signed", "contact", "stick", "unbounded"} in their place.
     [[nodiscard]] std::string pictures(const Keys& asked, const std::string& field = "",
                                        bool body_B = false) const;
-    /// The greatest mises or tau_max in a body, or sxx on its surface, as JSON: {"value", "x", "z":
-    /// states of values, "notes"}.
+    /// The greatest mises or tau_max in a body (of revolution: on its axis), or sxx on its surface,
+    /// as JSON: {"value", "x", "z": states of values, "notes"}.
     [[nodiscard]] std::string greatest(const std::string& quantity, bool body_B,
                                        unsigned digits) const;
     /// The coefficients of sxx, szz and sxz along a ray at an angle (degrees) to the contact, with

@@ -339,9 +339,8 @@ std::string Scene::greatest(const std::string& quantity, bool body_B, unsigned d
     require_digits(digits, 2, most_digits_of_values);
     scene::Scene scene = solved_->scene;
     scene.ask.digits = {digits, Rounding::nearest, true};
-    const auto named = scene::column_named(quantity);
     const scene::GreatestValue found =
-        scene::greatest_value(scene, named ? named->quantity : scene::Quantity::p, body_of(body_B));
+        scene::greatest_value(scene, scene::greatest_of(quantity), body_of(body_B));
     const auto state = [&](const scene::BoundedValue& v) { return value_of(v, digits).state(); };
     return json_text({{"value", state(found.value)},
                       {"x", state(found.x)},

@@ -52,9 +52,12 @@ struct GreatestValue {
     std::vector<std::string> notes; ///< sentences about the place
 };
 
-/// Returns the greatest mises or tau_max for z >= 0, or the greatest sxx at z = 0, to
-/// the digits of the scene. Throws InputError for a quantity that has no greatest value and for
-/// mises without a Poisson's ratio, BudgetError where the search does not decide.
+/// The quantity of "mises", "tau_max" or "sxx". Throws InputError for other names.
+[[nodiscard]] Quantity greatest_of(std::string_view stress);
+/// Returns the greatest mises or tau_max for z >= 0 (of a body of revolution: on its axis), or the
+/// greatest sxx at z = 0, to the digits of the scene. `quantity`: that of greatest_of(). Throws
+/// InputError for one that has no greatest value and for mises without a Poisson's ratio,
+/// BudgetError where the search does not decide.
 [[nodiscard]] GreatestValue greatest_value(const Scene& scene, Quantity quantity, Body body);
 
 /// The stresses near the edges of a plane contact along a ray into a body (docs/stress.md, "Near an

@@ -269,11 +269,17 @@ GreatestValue greatest_on_axis(const Scene& asked, Quantity quantity, Body body)
 
 } // namespace
 
-GreatestValue greatest_value(const Scene& scene, Quantity quantity, Body body) {
-    if (quantity != Quantity::mises && quantity != Quantity::tau_max && quantity != Quantity::sxx) {
-        refuse(scene, std::string(row_of(quantity).name) + " is not searched for",
-               "ask for mises, tau_max (for z >= 0) or sxx (on the surface)");
+Quantity greatest_of(std::string_view stress) {
+    for (const Quantity quantity : {Quantity::mises, Quantity::tau_max, Quantity::sxx}) {
+        if (stress == row_of(quantity).name) {
+            return quantity;
+        }
     }
+    throw InputError(std::string(stress) + " is not searched for",
+                     "ask for mises, tau_max (for z >= 0) or sxx (on the surface)");
+}
+
+GreatestValue greatest_value(const Scene& scene, Quantity quantity, Body body) {
     if (quantity == Quantity::mises && !scene.poisson(body)) {
         refuse(scene, "mises needs Poisson's ratio", "add nu = \"0.3\" to [load]");
     }

@@ -87,8 +87,8 @@ std::optional<Ball> EnclosedSample::quantity(std::string_view name) const {
     if (name == "M") {
         return contact().moment();
     }
-    if (name.starts_with("greatest_")) {
-        return greatest(name.substr(std::string_view("greatest_").size()));
+    if (is_greatest(name)) {
+        return greatest(name.substr(name.find('_') + 1));
     }
     if (const auto k = order_behind(name, "P")) {
         return force_derivative(*k);
@@ -199,9 +199,9 @@ Ball EnclosedSample::greatest(std::string_view name) const {
         }
     }
     const bool of_place = name.ends_with("_x") || name.ends_with("_z");
-    const auto stress = scene::quantity_named(name.substr(0, name.size() - (of_place ? 2 : 0)));
+    const auto stress = scene::greatest_of(name.substr(0, name.size() - (of_place ? 2 : 0)));
     const auto digits = static_cast<unsigned>(std::max(10L, bits_ * 3 / 10 - 10));
-    const auto found = sample_.scene.greatest(stress->quantity, digits);
+    const auto found = sample_.scene.greatest(stress, digits);
     return !of_place ? found->value.value : name.ends_with("x") ? found->x.value : found->z.value;
 }
 

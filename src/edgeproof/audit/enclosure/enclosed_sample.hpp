@@ -48,7 +48,8 @@ namespace edgeproof::audit {
 /// sizes of the slip zones, stick_a and stick_b the edges of the stick zone, and slip(x) is
 /// u_A - u_B. sxx(x, z), mises(x, z), ... are the stresses in body A, without a bulk stress of A,
 /// and greatest_mises, greatest_mises_x and greatest_mises_z the greatest value and its place
-/// (tau_max, mises; sxx on the surface). integral(f, s, lo, hi) and pv(f, s, lo, hi, x) are
+/// (tau_max, mises; sxx on the surface; axis_mises and axis_mises_z on the axis of a body of
+/// revolution). integral(f, s, lo, hi) and pv(f, s, lo, hi, x) are
 /// enclosed as in enclosed_integral.hpp. Not thread-safe: one thread may use an object at a time.
 class EnclosedSample {
 public:
@@ -144,7 +145,7 @@ private:
                                                 const Ball& z) const;
     /// Poisson's ratio of body A.
     [[nodiscard]] Ball poisson() const;
-    /// Returns the value of a name without "greatest_".
+    /// Returns the value of a name without "greatest_" or "axis_".
     [[nodiscard]] Ball greatest(std::string_view name) const;
     /// Returns u_A - u_B at a place in the contact.
     [[nodiscard]] Ball slip(const Ball& x) const;

@@ -39,9 +39,8 @@ struct IntegrandMeaning {
 /// difference, and a root of it is a power of v times a regular function: so a root that is
 /// singular at e has no singularity in v. The logarithm of such a part, k log v + log w, is v^-1
 /// times a function that tends to 0, for an n so large that the integrand does, too. The divided
-/// difference of a part follows from the finite
-/// form of the rules of differentiation; that of b(s) from its derivative over the segment from e,
-/// as b is convex.
+/// difference of a part follows from the finite form of the rules of differentiation; that of b(s)
+/// from its derivative over the segment from e, as b is convex.
 ///
 /// In addition to the functions of formulas, it has log_above(z), the logarithm continued from the
 /// upper half-plane (real for z > 0), and gauss(a, b, c, z), Gauss's 2F1.

@@ -248,7 +248,8 @@ std::string instead_of_unused(const Family& family, const std::string& name) {
 
 /// `names`: the names used by the claims over the family.
 void refuse_unused_of(const Family& family, std::set<std::string> names, const std::string& file) {
-    if (std::ranges::any_of(names, is_stress) || names.contains("greatest")) {
+    if (std::ranges::any_of(names, is_stress) || names.contains("greatest") ||
+        names.contains("axis")) {
         names.insert("nu");
     }
     const std::vector<std::string_view> of_contact = keys_of_contact(family);

@@ -28,11 +28,19 @@ std::set<std::string> parameters_of(const Ledger& ledger, const Family& family) 
 /// Of a body in plane strain, or of revolution, as scenes name them.
 constexpr std::array<std::string_view, 10> stresses{"sxx",     "szz",    "sxz", "syy", "mises",
                                                     "tau_max", "tresca", "s1",  "s2",  "s3"};
+/// The greatest ones and their places: of plane contacts, and on the axis of a body of revolution.
+constexpr std::array<std::string_view, 13> greatest_stresses{
+    "greatest_tau_max", "greatest_tau_max_x", "greatest_tau_max_z", "greatest_mises",
+    "greatest_mises_x", "greatest_mises_z",   "greatest_sxx",       "greatest_sxx_x",
+    "greatest_sxx_z",   "axis_tau_max",       "axis_tau_max_z",     "axis_mises",
+    "axis_mises_z"};
 
 /// Returns the name as it is written in ledgers: "right.s0".
 std::string dotted(std::string name) {
-    if (name.starts_with("right_") || name.starts_with("left_") || name.starts_with("greatest_")) {
-        name[name.find('_')] = '.';
+    for (const char* const before : {"right_", "left_", "greatest_", "axis_"}) {
+        if (name.starts_with(before)) {
+            name[name.find('_')] = '.';
+        }
     }
     return name;
 }
@@ -63,6 +71,13 @@ std::optional<Vocabulary::Refusal> refusal_of(const std::string& name, const Fam
                        "use a, Es, P (the total force), delta (the approach), u, x, p(x), gap(x), "
                        "right.c0, right.c1, ... or stresses such as szz(x, z); with friction also "
                        "q(x), right.d and stick_a"};
+    }
+    if (is_greatest(name) && name.starts_with(family.axisymmetric() ? "greatest" : "axis")) {
+        return Refusal{dotted(name) + (family.axisymmetric()
+                                           ? " is not proved off the axis of a body of revolution"
+                                           : " is a value on the axis of a body of revolution"),
+                       "write axis.tau_max, axis.tau_max.z (or mises), the greatest on the axis of "
+                       "a body of revolution, and greatest.tau_max, ... in plane contacts"};
     }
     if (is_flat_punch(family.profile) && !of_all && !of_punches) {
         return Refusal{missing + "a flat punch",
@@ -231,8 +246,12 @@ bool is_slip_symbol(std::string_view name) {
     return is_one_of(name, {"right_d", "left_d", "stick_a", "stick_b"});
 }
 
+bool is_greatest(std::string_view name) {
+    return std::ranges::find(greatest_stresses, name) != greatest_stresses.end();
+}
+
 bool is_stress(std::string_view name) {
-    return name.starts_with("greatest_") || std::ranges::find(stresses, name) != stresses.end();
+    return is_greatest(name) || std::ranges::find(stresses, name) != stresses.end();
 }
 
 const formula::Symbols& scene_names() {
@@ -246,10 +265,8 @@ const formula::Symbols& scene_names() {
                 }
             }
         }
-        for (const char* stress : {"tau_max", "mises", "sxx"}) {
-            for (const char* place : {"", "_x", "_z"}) {
-                all.add(std::string("greatest_") + stress + place);
-            }
+        for (const std::string_view greatest : greatest_stresses) {
+            all.add(std::string(greatest));
         }
         for (const std::string_view stress : stresses) {
             all.add_function(stress, 2);

@@ -50,8 +50,10 @@ void collect_words(std::string_view text, std::set<std::string>& into);
 /// True for the names for scenes with friction only: the sizes of the slip zones and the edges of
 /// the stick zone -stick_b < x < stick_a.
 [[nodiscard]] bool is_slip_symbol(std::string_view name);
-/// True for stresses at a place and a depth, "tau_max" of tau_max(x, z), and for the greatest ones,
-/// "greatest_tau_max" and the place "greatest_tau_max_z".
+/// True for the greatest stresses and their places, such as "greatest_tau_max" and
+/// "greatest_tau_max_z"; "axis_tau_max" on the axis of a body of revolution.
+[[nodiscard]] bool is_greatest(std::string_view name);
+/// True for these, and for stresses at a place and a depth, "tau_max" of tau_max(x, z).
 [[nodiscard]] bool is_stress(std::string_view name);
 
 } // namespace edgeproof::audit

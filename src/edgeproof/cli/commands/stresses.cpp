@@ -12,15 +12,8 @@ bool is_known(const scene::Scene& scene, Quantity quantity, scene::Body body) {
     return row_of(quantity).needs != scene::QuantityRow::Needs::poisson || scene.poisson(body);
 }
 
-Quantity greatest_of(const std::string& name) {
-    const auto named = scene::column_named(name);
-    require(named.has_value(), "--greatest " + name + " is not searched for",
-            "write mises, tau_max (for z >= 0) or sxx (on the surface)");
-    return named->quantity;
-}
-
 int greatest(Computing& c) {
-    const Quantity quantity = greatest_of(c.o["--greatest"]);
+    const Quantity quantity = scene::greatest_of(c.o["--greatest"]);
     const scene::Body body = scene::body_named(c.body);
     require(c.o.list("--point").empty(), "--greatest and --point exclude each other",
             "leave out one of them");

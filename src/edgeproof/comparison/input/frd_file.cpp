@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/comparison/input/result_lines.hpp"
 #include "edgeproof/io/foreign_text.hpp"
 #include "edgeproof/precision/error.hpp"

@@ -337,11 +337,44 @@ Ball steepest_rise(const Profile& profile, const Ball& a, const Ball& b) {
     return upper_end(most);
 }
 
-bool curvature_falls(const Profile& profile, const Ball& a) {
-    constexpr int most_parts = 256;
+namespace {
+
+/// K and K'/x over x, where K is g'' or, of a body of revolution, g'/x + g''.
+struct Bend {
+    Ball K;
+    Ball rise; ///< not finite if it may have no bound
+    bool falls;
+};
+
+Bend bend_over(const SlopePiece& piece, const Ball& x, bool axisymmetric) {
+    const std::vector<Ball> g = slope_series(piece.slope, x, 3, slope_bits);
+    const Ball third = g[2] * 2;
+    const Ball rise = (axisymmetric ? Ball(third - (g[0] / x - g[1]) / x) : third) / x;
+    return {axisymmetric ? Ball(g[0] / x + g[1]) : g[1], rise,
+            arb_is_nonpositive(rise.data()) != 0};
+}
+
+// Over 0 < r < x by the mean value theorem. With N = r K of a body of revolution, K'/r is the
+// integral of t N''(t) over 0 < t < r, divided by r^3; N''/t is a value of the next derivative.
+Bend bend_from_axis(const SlopePiece& piece, const Ball& x, bool axisymmetric) {
+    const Ball all = Ball::hull(Ball(0, slope_bits), x);
+    const std::vector<Ball> g = slope_series(piece.slope, all, 5, slope_bits);
+    const Ball on_axis = slope_series(piece.slope, Ball(0, slope_bits), 3, slope_bits)[2];
+    const bool odd = on_axis.is_exact() && contains_zero(on_axis);
+    const Ball rise = axisymmetric ? Ball((g[3] + all * g[4]) * 8) : Ball(g[3] * 6);
+    const Ball falls = axisymmetric ? Ball(g[2] + all * g[3]) : g[2];
+    return {axisymmetric ? Ball((g[1] + all * g[2]) * 2) : g[1],
+            odd ? rise : unknown_ball(slope_bits), arb_is_nonpositive(falls.data()) != 0};
+}
+
+} // namespace
+
+bool greatest_in_the_middle(const Profile& profile, const Ball& a) {
+    constexpr int most_parts = 1024;
+    const bool axisymmetric = profile.axisymmetric();
     const auto& knots = profile.knots();
     const Ball edge = upper_end(a.with_bits(slope_bits));
-    std::optional<Ball> least; // g'' at the end of the piece before
+    std::optional<Ball> least; // K at the end of the piece before
     for (std::size_t i = profile.origin(); i < knots.size(); ++i) {
         const Ball from = enclosed_constant(knots[i], slope_bits);
         const Ball to =
@@ -349,17 +382,20 @@ bool curvature_falls(const Profile& profile, const Ball& a) {
         if (!certainly_less(from, edge)) {
             break;
         }
-        const Expr& slope = profile.pieces()[i + 1].slope;
-        const auto bend = [&](const Ball& x) { return slope_series(slope, x, 2, slope_bits)[1]; };
-        if (profile.has_corner(i) || (least && !certainly_less(bend(from), *least))) {
+        const SlopePiece& piece = profile.pieces()[i + 1];
+        if (profile.has_corner(i) ||
+            (least && !certainly_less(bend_over(piece, from, axisymmetric).K, *least))) {
             return false;
         }
-        least = bend(to);
+        least = bend_over(piece, to, axisymmetric).K;
         for (int parts = 1, k = 0; k < parts; ++k) {
             const Ball x =
                 Ball::hull(from + (to - from) * k / parts, from + (to - from) * (k + 1) / parts);
-            const Ball third = slope_series(slope, x, 3, slope_bits)[2];
-            if (arb_is_nonpositive(third.data()) == 0) {
+            const auto suffices = [&](const Bend& bend) {
+                return bend.falls || certainly_less(bend.rise * (edge - x) * (edge + x), bend.K);
+            };
+            if (!suffices(bend_over(piece, x, axisymmetric)) &&
+                !(i == profile.origin() && suffices(bend_from_axis(piece, x, axisymmetric)))) {
                 if (parts == most_parts) {
                     return false;
                 }

@@ -80,9 +80,9 @@ struct SlopeMonotonicity {
 /// An upper bound of g'' over [-b, a]; not finite if there is none, as with a corner.
 [[nodiscard]] Ball steepest_rise(const Profile& profile, const Ball& a, const Ball& b);
 
-/// True if g'' of a symmetric profile is proved not to increase from the origin to the edge, which
-/// is no corner. Then the greatest pressure is in the middle (docs/curved-slopes.md, "The greatest
-/// pressure").
-[[nodiscard]] bool curvature_falls(const Profile& profile, const Ball& a);
+/// True if the greatest pressure of a symmetric profile, plane or of revolution, is proved to be in
+/// the middle: it has no corner, and g'' does not increase too fast from there
+/// (docs/curved-slopes.md, "The greatest pressure").
+[[nodiscard]] bool greatest_in_the_middle(const Profile& profile, const Ball& a);
 
 } // namespace edgeproof::contact

@@ -161,15 +161,15 @@ public:
             }
             return closed->pressure_factor() / ball_of(scene_.profile->parameters().at("m"), bits_);
         }
-        const bool falls =
-            !scene_.closed() && scene_.symmetric() && curvature_falls(*scene_.profile, a());
-        require(falls || !scene_.curved_body() || greater_off_axis(),
-                "the greatest pressure of a curved slope of revolution is proved only where g'' "
-                "does not increase from the axis, or where p does",
+        const bool middle =
+            !scene_.closed() && scene_.symmetric() && greatest_in_the_middle(*scene_.profile, a());
+        require(middle || !scene_.curved_body() || greater_off_axis(),
+                "the greatest pressure of a curved slope of revolution is proved only where p "
+                "increases from the axis, or where g'' does not increase too fast",
                 "ask for pressures at points");
         try {
-            return falls ? contact_->pressure(Edge::right, a(), Exact())
-                         : enclosed_peak(contact(), scene_.symmetric());
+            return middle ? contact_->pressure(Edge::right, a(), Exact())
+                          : enclosed_peak(contact(), scene_.symmetric());
         } catch (const BudgetError&) {
             return not_known();
         }

@@ -14,10 +14,6 @@
 namespace edgeproof::contact {
 namespace {
 
-/// The parameters of a series, or its argument and its sum, as an array of Arb.
-using Polynomials = std::array<AcbPolyValue, 2>;
-static_assert(sizeof(Polynomials) == 2 * sizeof(acb_poly_struct));
-
 /// Sets p = constant + rate t.
 void set_linear(acb_poly_struct* p, const Ball& constant, long rate) {
     AcbValue c;
@@ -37,23 +33,19 @@ std::vector<Ball> coefficients_of(const acb_poly_struct* p, std::size_t count, l
     return coefficients;
 }
 
-/// 2F1(1 + k, b + k; 3/2 + k; y), 0 <= y < 1, and its derivatives by b, divided by factorials,
-/// `count` numbers. Arb's sum of power series bounds its remainder.
-std::vector<Ball> series_by_b(const Ball& b, const Ball& y, long k, std::size_t count) {
+/// F(y, b + t) in powers of t, 0 <= y < 1, `count` numbers. Arb's sum of power series bounds its
+/// remainder.
+std::vector<Ball> series_by_b(const Ball& b, const Ball& y, std::size_t count) {
     const long bits = y.bits();
-    Polynomials over;
-    Polynomials under;
+    AcbPolyValue over;
+    AcbPolyValue under;
     AcbPolyValue in;
     AcbPolyValue sum;
-    set_linear(over[0], b + k, 1);
-    set_linear(under[0], Ball(Rational(3, 2), bits) + k, 0);
-    set_linear(over[1], Ball(1 + k, bits), 0);
-    set_linear(under[1], Ball(1, bits), 0);
+    set_linear(over, b, 1);
+    set_linear(under, Ball(Rational(3, 2), bits), 0);
     set_linear(in, y, 0);
-    // For k = 0 the last two parameters cancel.
-    const slong pairs = k == 0 ? 1 : 2;
-    acb_hypgeom_pfq_series_direct(sum, over[0], pairs, under[0], pairs, in, 0, -1,
-                                  static_cast<slong>(count), bits);
+    acb_hypgeom_pfq_series_direct(sum, over, 1, under, 1, in, 0, -1, static_cast<slong>(count),
+                                  bits);
     return coefficients_of(sum, count, bits);
 }
 
@@ -207,7 +199,7 @@ std::vector<Ball> edge_series_at(const Ball& b, const Ball& y, std::size_t count
         }
     }
     if (certainly_less(y, Ball(1, bits))) {
-        return series_by_b(b, y, 0, count);
+        return series_by_b(b, y, count);
     }
     // F(1, b) = 1/(1 - 2b): DLMF 15.4.20.
     const Ball m = 1 - b * 2;
@@ -273,35 +265,25 @@ BallSeries reciprocal_edge_function(const BallSeries& z, const BallSeries& b) {
         const std::vector<Ball>& d = *by_y;
         return BallSeries(one, z.order()) / (dy * dy * d[2] + dy * d[1] + d[0]);
     }
-    const std::vector<Ball> f = edge_series(y, b0, by_b ? 3 : 1);
-    const Ball& F = f[0];
-    BallSeries db = b;
-    db.set(0, Ball(0, bits));
-    BallSeries sum = by_b ? db * db * f[2] + db * f[1] + F : BallSeries(F, z.order());
+    BallSeries F(edge_series(y, b0, by_b ? z.order() : 1)); // in powers of the change of b
     const bool moves = !certainly_zero(z[1]) || !certainly_zero(z[2]);
-    if (moves) {
-        Ball F_y(0, bits);
-        Ball F_yb(0, bits);
-        Ball F_yy(0, bits);
-        if (near_far_end(y)) {
-            // The series satisfies y (1 - y) F' + (1/2 - b y) F = 1/2.
-            const Ball half(Rational(1, 2), bits);
-            const Ball weight = half - b0 * y;
-            const Ball scale = y * (1 - y);
-            F_y = (half - weight * F) / scale;
-            F_yb = by_b ? (y * F - weight * f[1]) / scale : F_yb;
-            F_yy = (b0 * F - (weight + 1 - y * 2) * F_y) / scale;
-        } else if (certainly_less(y, one)) {
-            // d^k/dy^k 2F1(1, b; 3/2; y) = (1)_k (b)_k/(3/2)_k 2F1(1 + k, b + k; 3/2 + k; y):
-            // DLMF 15.5.2.
-            const std::vector<Ball> first = series_by_b(b0, y, 1, by_b ? 2 : 1);
-            F_y = b0 * first[0] * 2 / 3;
-            F_yb = by_b ? (first[0] + b0 * first[1]) * 2 / 3 : F_yb;
-            F_yy = b0 * (b0 + 1) * series_by_b(b0, y, 2, 1)[0] * 8 / 15;
-        } else { // the pressure need not have a derivative at the middle
-            return BallSeries(std::vector<Ball>(z.order(), unknown_ball(bits)));
-        }
-        sum = sum + dy * F_y + dy * dy * (F_yy / 2) + dy * db * F_yb;
+    if (moves && !certainly_less(y, one)) { // the pressure need not have a derivative at the middle
+        return unknown_series(z.order(), bits);
+    }
+    if (by_b) {
+        BallSeries db = b;
+        db.set(0, Ball(0, bits));
+        F = db * db * F[2] + db * F[1] + F[0];
+    } else {
+        F = BallSeries(F[0], z.order());
+    }
+    BallSeries sum = F;
+    if (moves) { // y (1 - y) F' + (1/2 - b y) F = 1/2
+        const BallSeries weight = -(b * y) + Ball(Rational(1, 2), bits);
+        const Ball scale = 1 / (y * (1 - y));
+        const BallSeries by_y = (-(weight * F) + Ball(Rational(1, 2), bits)) * scale;
+        const BallSeries twice = (b * F - (weight + (1 - y * 2)) * by_y) * scale;
+        sum = sum + dy * by_y + dy * dy * twice * Ball(Rational(1, 2), bits);
     }
     return BallSeries(one, z.order()) / sum;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/contact/design/error_family.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/law/shear.hpp"
 
 namespace edgeproof::contact {
 namespace {
@@ -35,27 +36,17 @@ template <class T> struct PowerLawError {
     }
 };
 
-/// With z = u/D, q sqrt(u) = (A - B z)/sqrt(D (1 - z)), A = Q/pi + side sigma_0 D/8, B = side
-/// sigma_0 D/4; and s_k u^k = (beta_k A - beta_{k-1} B) z^k/sqrt(D), beta_k of (1 - z)^(-1/2).
+/// With z = u/D, q sqrt(u) = (A - B z)/sqrt(D (1 - z)), A = s_0 sqrt(D), B = side sigma_0 D/4, and
+/// s_k u^k = c_k z^k/sqrt(D).
 template <class T> struct FullStick {
-    T A;
+    std::vector<T> c;
     T B;
     T length; ///< in the unit of distances
-    std::size_t terms;
 
     [[nodiscard]] T error(const T& u) const {
         const T z = u / length;
         const Ball one(1, value_in(u).bits());
-        T sum = A;
-        T power = z;
-        Rational beta(1);
-        for (std::size_t k = 1; k < terms; ++k) {
-            const Rational before = beta;
-            beta *= Rational(2 * static_cast<long>(k) - 1, 2 * static_cast<long>(k));
-            sum = sum + (A * Ball(beta, one.bits()) - B * Ball(before, one.bits())) * power;
-            power = power * z;
-        }
-        return sum * sqrt(-z + one) / (A - B * z) + -one;
+        return horner(c, z) * sqrt(-z + one) / (c[0] - B * z) + -one;
     }
 };
 
@@ -90,14 +81,16 @@ ErrorFamily power_law_errors(const Expr& m, const std::optional<Expr>& half_widt
 ErrorFamily full_stick_errors(const Expr& Q, const Expr& bulk_tension, const Expr& length,
                               const ErrorQuestion& question) {
     const Expr unit = unit_of(question, length);
-    const Expr part =
-        bulk_tension * length * Expr::number(Rational(question.edge == Edge::right ? 1 : -1, 8));
-    const Expr A = Q / Expr::pi() + part;
-    const Expr B = Expr::number(Rational(2)) * part;
     return family_of({7, 4, 8 + 5 * static_cast<double>(question.terms)}, unit,
-                     [A, B, unit, terms = question.terms](const auto& value) {
+                     [=, tension = bulk_tension * length](const auto& value) {
                          using T = typename std::decay_t<decltype(value)>::Number;
-                         return FullStick<T>{value(A), value(B), value(unit), terms};
+                         const T pull = value(tension);
+                         const T one = Field<T>::number(1, pull);
+                         return FullStick<T>{
+                             full_stick_terms(T(value(Q) / Field<T>::pi(pull)), pull, one,
+                                              question.edge, question.terms, one),
+                             Field<T>::over(question.edge == Edge::right ? pull : T(-pull), 4),
+                             value(unit)};
                      });
 }
 

@@ -87,14 +87,14 @@ template <class T>
                                               T scale) {
     // The tension pulls the right edge outwards.
     const T by_tension = (edge == Edge::right ? bulk_tension : T(-bulk_tension)) * length;
-    const T lead = Q_over_pi + by_tension / 8;
+    const T lead = Q_over_pi + Field<T>::over(by_tension, 8);
     T beta = Field<T>::number(1, length);
     T beta_before = Field<T>::number(0, length);
     std::vector<T> s;
     for (int next = 1; s.size() < terms; ++next) {
-        s.push_back(T((lead * beta - by_tension / 4 * beta_before) / scale));
+        s.push_back(T((lead * beta - Field<T>::over(by_tension, 4) * beta_before) / scale));
         beta_before = beta;
-        beta = beta * (2 * next - 1) / (2 * next);
+        beta = Field<T>::over(T(beta * Field<T>::number(2 * next - 1, beta)), 2 * next);
         scale = scale * length;
     }
     return s;

@@ -67,27 +67,30 @@ std::vector<double> places_between(double from, double to, std::size_t count, do
     return places;
 }
 
-/// One side of g', from the origin to the edge and beyond: places, and g' before and after each.
-struct Side {
-    std::vector<double> at;
-    std::vector<double> before;
-    std::vector<double> after;
+/// Straight lines in place of g' on one side of the origin, outwards: the knots between them, and
+/// their formulas. The last line goes on beyond the edge.
+struct Lines {
+    std::vector<Exact> knots;
+    std::vector<Expr> slopes;
 };
 
-Side side_of(const contact::Profile& profile, bool right, double edge, std::size_t count) {
+Lines lines_of(const contact::Profile& profile, bool right, double edge, std::size_t count) {
+    struct Place {
+        double at;     ///< the distance from the origin
+        double before; ///< the size of g' before it and after it; it does not decrease
+        double after;
+    };
     const auto& knots = profile.knots();
     const int sign = right ? 1 : -1;
-    Side side;
+    std::vector<Place> side;
     const auto slope = [&](std::size_t piece, double x) {
         const Expr at =
             substitute(profile.pieces()[piece].slope, "x", Expr::number(exact_rational(sign * x)));
         return approximate(formula::enclosed_constant(at, estimate_bits)) * sign;
     };
     const auto add = [&](double x, double before, double after) {
-        const double least = side.after.empty() ? 0 : side.after.back();
-        side.at.push_back(x);
-        side.before.push_back(std::max(before, least));
-        side.after.push_back(std::max(after, side.before.back()));
+        before = std::max(before, side.empty() ? 0 : side.back().after);
+        side.push_back({x, before, std::max(after, before)});
     };
     for (std::size_t i = profile.origin(); i < knots.size(); i += right ? 1 : -1) {
         const double from = std::fabs(knots[i].to<double>());
@@ -110,46 +113,35 @@ Side side_of(const contact::Profile& profile, bool right, double edge, std::size
             add(x, g, g);
         }
     }
-    add(edge, side.after.back(), side.after.back());
-    const std::size_t last = side.at.size() - 1; // the last line goes on beyond the edge
-    side.before[last] = side.after[last - 1] + (side.before[last - 1] - side.after[last - 2]) /
-                                                   (side.at[last - 1] - side.at[last - 2]) *
-                                                   (side.at[last] - side.at[last - 1]);
-    side.after[last] = side.before[last];
-    return side;
+    const Place& last = side.back();
+    const Place& inner = side[side.size() - 2];
+    const double end =
+        last.after + (last.before - inner.after) / (last.at - inner.at) * (edge - last.at);
+    side.push_back({edge, end, end});
+    Lines found;
+    for (std::size_t k = 0; k + 1 < side.size(); ++k) {
+        const Rational x = exact_rational(side[k].at);
+        const Rational g = exact_rational(side[k].after);
+        const Rational rate =
+            (exact_rational(side[k + 1].before) - g) / (exact_rational(side[k + 1].at) - x);
+        if (k > 0) {
+            found.knots.push_back(Exact::of(Rational(sign * x)));
+        }
+        found.slopes.push_back(Expr::number(Rational(sign * (g - rate * x))) +
+                               Expr::number(rate) * Expr::symbol("x"));
+    }
+    return found;
 }
 
 /// The slope by straight lines.
 contact::Profile by_lines(const contact::Profile& profile, double a, double b, std::size_t count) {
-    const Side right = side_of(profile, true, a, count);
-    const Side left = side_of(profile, false, b, count);
-    struct Point {
-        Rational x;
-        Rational before; ///< g' to the left of it, to the right of it
-        Rational after;
-    };
-    std::vector<Point> points;
-    for (std::size_t k = left.at.size(); k-- > 1;) {
-        points.push_back({exact_rational(-left.at[k]), exact_rational(-left.after[k]),
-                          exact_rational(-left.before[k])});
-    }
-    points.push_back({Rational(0), exact_rational(-left.after[0]), exact_rational(right.after[0])});
-    for (std::size_t k = 1; k < right.at.size(); ++k) {
-        points.push_back({exact_rational(right.at[k]), exact_rational(right.before[k]),
-                          exact_rational(right.after[k])});
-    }
-    std::vector<Exact> knots;
-    std::vector<Expr> slopes;
-    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-        const Point& lo = points[k];
-        const Point& hi = points[k + 1];
-        const Rational rate = (hi.before - lo.after) / (hi.x - lo.x);
-        slopes.push_back(Expr::number(lo.after - rate * lo.x) +
-                         Expr::number(rate) * Expr::symbol("x"));
-        if (k > 0) {
-            knots.push_back(Exact::of(lo.x));
-        }
-    }
+    const Lines right = lines_of(profile, true, a, count);
+    const Lines left = lines_of(profile, false, b, count);
+    std::vector<Exact> knots(left.knots.rbegin(), left.knots.rend());
+    std::vector<Expr> slopes(left.slopes.rbegin(), left.slopes.rend());
+    knots.push_back(Exact());
+    knots.insert(knots.end(), right.knots.begin(), right.knots.end());
+    slopes.insert(slopes.end(), right.slopes.begin(), right.slopes.end());
     return contact::Profile::piecewise(knots, slopes);
 }
 

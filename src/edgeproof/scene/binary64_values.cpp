@@ -24,7 +24,7 @@ using contact::DoubleWordPressure;
 
 /// The numbers of such balls fit into two words, which need no heap memory.
 constexpr long first_bits = 128;
-constexpr long most_bits = 4096; ///< for places near the far edge and near corners
+constexpr long most_bits = 4096; ///< for places next to the edges
 constexpr unsigned first_digits = 25;
 constexpr unsigned most_digits = 800; ///< 1 - p_n/p cancels near an edge
 
@@ -41,22 +41,19 @@ public:
         scene_.ask = {};
         scene_.ask.quantities = {QuantityGroup::contact};
         const SceneResult found = run_scene(scene_); // refuses a load that no contact carries
-        for (const auto& [edge, quantity] :
-             {std::pair{Edge::right, Quantity::a}, {Edge::left, Quantity::b}}) {
-            end_[index_of(edge)] = {found.at(quantity).value, found.at(quantity).exactly};
-        }
-        profile_ = scene_.profile;
+        a_ = found.at(Quantity::a).value;
+        b_ = found.at(Quantity::b).value;
         if (question_.quantity != Quantity::p || !scene_.closed()) {
             return;
         }
-        balls_ = at_bits(first_bits);
-        if (scene_.punch) {
-            profile_ = BallLevel(scene_, 2 * first_bits).tilt().near;
-        }
-        const bool form = balls_ && DoubleWordPressure::has_form(*profile_);
-        if (const auto closer = form ? at_bits(DoubleWordPressure::contact_bits) : balls_;
-            form && closer) {
-            words_.emplace(*profile_, *closer);
+        try {
+            balls_ = *BallLevel(scene_, first_bits).contact().closed_form();
+            const BallLevel closer(scene_, DoubleWordPressure::contact_bits);
+            const Profile& profile = scene_.punch ? closer.tilt().near : *scene_.profile;
+            if (DoubleWordPressure::has_form(profile)) {
+                words_.emplace(profile, *closer.contact().closed_form());
+            }
+        } catch (const BudgetError&) { // more bits decide
         }
     }
 
@@ -64,138 +61,55 @@ public:
         if (std::isnan(place)) {
             throw DomainError("a place is not a number");
         }
-        if (words_ && std::isfinite(place)) {
-            const DoubleWord u = question_.from_origin
-                                     ? to_double_word(distance(nearer(edge, place), place,
-                                                               DoubleWordPressure::contact_bits))
-                                     : DoubleWord{place, 0, 0};
-            const auto value = nearest_binary64(words_->at(nearer(edge, place), u));
-            if (value && std::isfinite(*value)) {
-                return *value + 0.0;
-            }
+        const bool far = !std::isfinite(place);
+        const Edge from = nearer(edge, place);
+        if (const auto value = far ? std::nullopt : by_words(from, edge, place)) {
+            return *value + 0.0;
         }
-        if (!std::isfinite(place) || outside(edge, place)) {
-            if (!is_traction()) {
-                throw InputError("a place is outside the contact", "give places of the contact");
+        const bool traction =
+            question_.quantity == Quantity::p || question_.quantity == Quantity::q;
+        try {
+            if (far || certainly_negative(distance(from, edge, place)) ||
+                certainly_negative(distance(opposite(from), edge, place))) {
+                throw OutsideContact();
             }
+            return in_full(edge, place);
+        } catch (const OutsideContact&) {
+            require(traction, "a place is outside the contact", "give places of the contact");
             return 0;
         }
-        if (question_.quantity == Quantity::p) {
-            if (on_corner(edge, place)) {
-                return std::numeric_limits<double>::infinity();
-            }
-            if (const auto value = by_balls(edge, place)) {
-                return *value;
-            }
-        }
-        return in_full(edge, place);
     }
 
 private:
-    struct End {
-        Ball distance; ///< of the edge from the origin
-        std::optional<Rational> exactly;
-    };
-
-    /// The contact of p; nothing where these bits do not separate an edge from a corner.
-    [[nodiscard]] std::optional<BallContact> at_bits(long bits) const {
-        try {
-            return *BallLevel(scene_, bits).contact().closed_form();
-        } catch (const BudgetError&) {
-            return {};
-        }
-    }
-    [[nodiscard]] bool is_traction() const {
-        return question_.quantity == Quantity::p || question_.quantity == Quantity::q;
-    }
-    /// True for q under full stick; p and every other q are 0 at the edges.
-    [[nodiscard]] bool is_infinite_at_edges() const {
-        return question_.quantity == Quantity::q && !scene_.slips() && !scene_.proportional();
-    }
     /// p is the same from both edges; the nearer one loses fewer digits.
     [[nodiscard]] Edge nearer(Edge edge, double place) const {
         return !question_.from_origin ? edge : place < 0 ? Edge::left : Edge::right;
     }
-    /// Returns the distance of a place from an edge `to`, if the contact has these edges.
-    template <class Number>
-    [[nodiscard]] Number distance(Edge to, Edge edge, const Number& place, const Number& a,
-                                  const Number& b) const {
+    /// The distance of a place from the edge `to`, at the bits of the edges.
+    [[nodiscard]] Ball distance(Edge to, Edge edge, double place) const {
+        const Ball x(exact_rational(place), std::max(a_.bits(), first_bits));
         if (question_.from_origin) {
-            return to == Edge::right ? Number(a - place) : Number(b + place);
+            return to == Edge::right ? a_ - x : b_ + x;
         }
-        return to == edge ? place : Number(a + b - place);
+        return to == edge ? x : a_ + b_ - x;
     }
-    [[nodiscard]] Ball distance(Edge edge, double place, long bits) const {
-        return distance(edge, edge, Ball(exact_rational(place), bits), end_[0].distance,
-                        end_[1].distance);
-    }
-    [[nodiscard]] std::optional<Rational> exact_distance(Edge to, Edge edge, double place) const {
-        const auto& [a, b] = std::pair(end_[0].exactly, end_[1].exactly);
-        if (!question_.from_origin && to == edge) {
-            return exact_rational(place);
-        }
-        const bool known = question_.from_origin ? end_[index_of(to)].exactly.has_value() : a && b;
-        return known ? std::optional(
-                           distance(to, edge, exact_rational(place), a.value_or(0), b.value_or(0)))
-                     : std::nullopt;
-    }
-    /// True if the place is certainly outside the contact, or on an edge where q is finite.
-    [[nodiscard]] bool outside(Edge edge, double place) const {
-        return std::ranges::any_of(std::array{Edge::right, Edge::left}, [&](Edge to) {
-            if (const auto exactly = exact_distance(to, edge, place)) {
-                return *exactly < 0 || (*exactly == 0 && !is_infinite_at_edges());
-            }
-            return certainly_negative(distance(to, edge, Ball(exact_rational(place), first_bits),
-                                               end_[0].distance, end_[1].distance));
-        });
-    }
-    /// Decides only where the edge is known exactly; elsewhere more bits have to separate a place
-    /// from a corner.
-    [[nodiscard]] bool on_corner(Edge edge, double place) const {
-        for (std::size_t i = 0; i < profile_->knots().size(); ++i) {
-            const auto knot = rational_of(profile_->knots()[i]);
-            const auto u = exact_distance(edge, edge, place);
-            const auto& end = end_[index_of(edge)].exactly;
-            if (profile_->has_corner(i) && knot && u && end &&
-                *u == (edge == Edge::right ? Rational(*end - *knot) : Rational(*end + *knot))) {
-                return true;
-            }
-        }
-        return false;
-    }
-    [[nodiscard]] std::optional<double> pressure(const BallContact& contact, Edge edge,
-                                                 double place) const {
-        const Edge from = nearer(edge, place);
-        const Ball u = distance(from, edge, Ball(exact_rational(place), contact.bits()),
-                                contact.a(), contact.b());
-        return certainly_less(u, Ball(contact.a() + contact.b()))
-                   ? nearest(contact.pressure(from, u))
-                   : std::nullopt;
-    }
-    /// Returns p by a closed form at more and more bits. A place that no number of them separates
-    /// from an edge or from a corner is taken to be on it; nothing for any other that is undecided.
-    [[nodiscard]] std::optional<double> by_balls(Edge edge, double place) const {
-        bool is_inside = true;
-        bool on_corner = false;
-        for (long bits = first_bits; scene_.closed() && bits <= most_bits; bits *= 2) {
-            const auto closer = bits == first_bits ? balls_ : at_bits(bits);
-            if (!closer) {
-                continue;
-            }
-            if (const auto value = pressure(*closer, edge, place)) {
+    /// p by double words, and by few bits; nothing where they do not decide.
+    [[nodiscard]] std::optional<double> by_words(Edge from, Edge edge, double place) const {
+        if (words_) {
+            const DoubleWord u = question_.from_origin ? to_double_word(distance(from, edge, place))
+                                                       : DoubleWord{place, 0, 0};
+            const auto value = nearest_binary64(words_->at(from, u));
+            if (value && std::isfinite(*value)) {
                 return value;
             }
-            const Edge from = nearer(edge, place);
-            const Ball u =
-                distance(from, edge, Ball(exact_rational(place), bits), closer->a(), closer->b());
-            is_inside = certainly_positive(u) && certainly_less(u, Ball(closer->a() + closer->b()));
-            on_corner = is_inside && std::ranges::any_of(closer->corners(from), [&](const Ball& x) {
-                            return overlaps(x, u);
-                        });
         }
-        return on_corner   ? std::optional(std::numeric_limits<double>::infinity())
-               : is_inside ? std::nullopt
-                           : std::optional(0.0);
+        if (!balls_) {
+            return {};
+        }
+        const Ball u = distance(from, edge, place);
+        return certainly_positive(u) && certainly_less(u, Ball(balls_->a() + balls_->b()))
+                   ? nearest(balls_->pressure(from, u))
+                   : std::nullopt;
     }
 
     /// Computes one value by the route of the scene.
@@ -216,13 +130,31 @@ private:
                     return *value + 0.0;
                 }
             }
+        } catch (const OutsideContact&) {
+            throw;
         } catch (const DomainError& error) {
+            const auto* const place_of_p = question_.quantity == Quantity::p
+                                               ? dynamic_cast<const IndistinctPlace*>(&error)
+                                               : nullptr;
+            if (place_of_p != nullptr) {
+                return place_of_p->on_corner ? std::numeric_limits<double>::infinity() : 0;
+            }
+            if (question_.quantity == Quantity::p && outside(asked.distance())) {
+                throw OutsideContact();
+            }
             throw InputError(name + ": " + error.what(),
                              "give places of the contact, off every corner");
         }
         throw BudgetError("the binary64 nearest to " +
                           std::string(row_of(question_.quantity).name) + " is undecided at " +
                           name);
+    }
+    /// True if one of more and more bits shows that the place is outside.
+    [[nodiscard]] bool outside(const Distance& u) const {
+        return levels_.front()->raise(first_bits, most_bits, [&](const BallLevel& level) {
+            const Ball from = level.distance(u);
+            return certainly_negative(from) || certainly_less(level.length(), from);
+        });
     }
     [[nodiscard]] std::optional<double> to_digits(const AskedValue& asked, unsigned digits,
                                                   std::size_t level) const {
@@ -238,16 +170,22 @@ private:
                 scene_, is_error ? std::vector{first, second} : std::vector{first}, format));
         }
         SceneValues& values = *levels_[level];
+        if (question_.n > 0 && level == 0) { // sums of terms have values outside, too
+            AskedValue at = asked;
+            at.quantity = Quantity::x;
+            (void)values.value(at);
+        }
         if (is_error) {
             return nearest(abs(1 - values.value(first).value / values.value(second).value));
         }
-        return printed(values.value(first), format).binary64;
+        const BoundedValue value = values.value(first);
+        return value.exactly ? nearest_binary64(*value.exactly) : nearest(value.value);
     }
 
     Scene scene_;
     Binary64Question question_;
-    std::array<End, 2> end_;
-    std::optional<Profile> profile_;
+    Ball a_;
+    Ball b_;
     std::optional<BallContact> balls_;        ///< the contact of p at first_bits
     std::optional<DoubleWordPressure> words_; ///< decides nearly all places
     /// Decide the others, each to twice the digits of the one before.

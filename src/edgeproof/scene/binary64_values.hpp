@@ -35,10 +35,10 @@ public:
     Binary64Values& operator=(Binary64Values&&) noexcept;
 
     /// Returns the value at a place. p and q are 0 outside the contact. p is infinite on a corner
-    /// of the profile (also where 4096 bits do not separate the place from a corner that is not a
-    /// known number). Throws InputError for places outside the contact (local, rel), at an edge (q
-    /// under full stick, local, rel) and at a corner (q); DomainError for NaN; BudgetError if no
-    /// budget decides the last bit. One object belongs to one thread at a time.
+    /// of the profile (also where no number of bits tried separates the place from a corner).
+    /// Throws InputError for places outside the contact (local, rel), at an edge (q under full
+    /// stick, local, rel) and at a corner (q); DomainError for NaN; BudgetError if no budget
+    /// decides the last bit. One object belongs to one thread at a time.
     /// @param edge the edge of local and rel, and from which a distance is measured
     /// @param place the coordinate x, or the distance inwards from the edge (length)
     [[nodiscard]] double operator()(Edge edge, double place) const;

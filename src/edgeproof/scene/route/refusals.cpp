@@ -54,7 +54,8 @@ void SceneValues::refuse_unknown(const QuantityRow& row, const AskedValue& asked
         if (std::ranges::any_of(first_->contact().corners(asked.edge), [&](const Ball& corner) {
                 return overlaps(corner, first_->distance(u));
             })) {
-            throw DomainError("the point is on a corner, or cannot be distinguished from it");
+            throw IndistinctPlace(true,
+                                  "the point is on a corner, or cannot be distinguished from it");
         }
     }
     throw BudgetError("no number of bits encloses " + text_of(asked) +
@@ -84,7 +85,7 @@ void SceneValues::refuse_outside(Edge edge, const Distance& u) {
         throw OutsideContact();
     }
     if (!(exact ? *distance < *known_length_ : certainly_less(from, length_))) {
-        throw DomainError("the point is on an edge, or cannot be distinguished from it");
+        throw IndistinctPlace(false, "the point is on an edge, or cannot be distinguished from it");
     }
 }
 
@@ -111,8 +112,9 @@ void SceneValues::refuse_outside_by_edges(Edge edge, const Distance& u) {
     if (inside) {
         return;
     }
-    throw DomainError(outside ? "the point is on an edge, or cannot be distinguished from it"
-                              : "the point is on a corner, or cannot be distinguished from it");
+    throw IndistinctPlace(!outside,
+                          outside ? "the point is on an edge, or cannot be distinguished from it"
+                                  : "the point is on a corner, or cannot be distinguished from it");
 }
 
 void SceneValues::refuse_corner(Edge edge, const Distance& u) const {
@@ -120,9 +122,10 @@ void SceneValues::refuse_corner(Edge edge, const Distance& u) const {
     for (std::size_t i = 0; x && i < scene_.profile->knots().size(); ++i) {
         if (scene_.profile->has_corner(i) &&
             contact::certainly_zero(scene_.profile->knots()[i].expr() - x->expr())) {
-            throw DomainError(u.number() ? "the pressure is infinite at a corner of the profile"
-                                         : "the point is on a corner, where the pressure is "
-                                           "infinite");
+            throw IndistinctPlace(true, u.number()
+                                            ? "the pressure is infinite at a corner of the profile"
+                                            : "the point is on a corner, where the pressure is "
+                                              "infinite");
         }
     }
 }

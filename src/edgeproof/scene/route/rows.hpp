@@ -20,6 +20,14 @@ public:
         : DomainError(std::string("the point ") + where) {}
 };
 
+/// The place is on an edge or on a corner of the profile, or no number of bits tried distinguishes
+/// it from that.
+class IndistinctPlace : public DomainError {
+public:
+    IndistinctPlace(bool corner, const char* what) : DomainError(what), on_corner(corner) {}
+    bool on_corner;
+};
+
 /// The sum of the first n terms of an expansion at the distance u from its edge, by Horner's rule.
 /// The first term is c_0 sqrt(u), or c_0/sqrt(u) if it is `singular`.
 template <class T, class C>

@@ -76,6 +76,19 @@ TEST_CASE("a grid becomes questions in a fixed order, with ids that describe the
           std::vector<std::string>{"kind", "m", "C", "a", "contact_modulus"});
 }
 
+// P = pi a^2/4 for m = 1 (johnson1985): a = 2 under P = pi, and the place is rounded.
+TEST_CASE("a place in a is a number where a is solved for") {
+    const auto under = [](const std::string& P) {
+        const std::string by_force =
+            test::replaced(grid, "a = [\"1\", \"3/2\"]", "P = \"" + P + "\"");
+        return parse_recipe(test::replaced(by_force, "\"1/2\"", "\"a/2\""), "r.toml").questions;
+    };
+    const Questions asked = under("pi");
+    CHECK(asked.list[2].id == "hertz:m=1:left:u=a/2:p");
+    CHECK(asked.list[2].u->rational() == 1);
+    CHECK(under("1").list[2].u->text() == "0.564189583548"); // 1/sqrt(pi)
+}
+
 TEST_CASE("questions in binary64 are decimals that a double holds exactly") {
     const Questions asked = rounded_to_binary64(
         parse_recipe(test::replaced(grid, "\"1e-3\"", "\"0.1\""), "r.toml").questions);

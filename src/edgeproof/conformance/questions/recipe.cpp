@@ -5,11 +5,14 @@
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
+#include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/scene/input/readers.hpp"
+#include "edgeproof/scene/route/scene_values.hpp"
 
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -32,6 +35,7 @@ struct GridScene {
 };
 
 constexpr long most_digits_of_a_recipe = 100'000;
+constexpr unsigned digits_of_places = 12; ///< of those in edges that are solved for
 
 Rounding rounding_of(const io::TomlSection& top) {
     const std::string name = top.text("rounding");
@@ -169,6 +173,20 @@ std::vector<Question> read_asked(const io::TomlSection& scene, const scene::Scen
                   "add quantities = [\"p\"]");
     require_places(scene.has("points"), in_body, "a stress is requested and there are no points",
                    "add points = [[\"0\", \"1/2\"]] (x, z)");
+    // A place that depends on edges which are solved for is rounded: programs read numbers.
+    std::optional<scene::SceneValues> values;
+    const auto solved = [&](const scene::Distance& distance) {
+        const scene::AskedValue a{scene::Quantity::a};
+        if (!values) {
+            values.emplace(contact, std::vector{a}, scene::Digits{2 * digits_of_places});
+        }
+        const Ball edge = values->value(a).value;
+        const Ball u =
+            distance.enclosure(edge, values->value({scene::Quantity::b}).value, edge.bits());
+        return certainly_positive(u) ? std::optional(formula::Exact::parse(
+                                           to_decimal(u.midpoint(), digits_of_places)))
+                                     : std::nullopt;
+    };
     std::vector<Question> list;
     const auto add = [&](std::vector<Question> more) {
         std::ranges::move(more, std::back_inserter(list));
@@ -193,11 +211,11 @@ std::vector<Question> read_asked(const io::TomlSection& scene, const scene::Scen
         }
         value.tolerance.reset();
         for (const scene::AskedPoint& point : points) {
-            value.u = point.place ? point.distance(edge).number() : point.u;
+            value.u = point.distance(edge).number();
+            value.u = value.u ? value.u : solved(point.distance(edge));
             scene.require(value.u && value.u->sign() > 0, point.line,
-                          point.text() + " is not inside the contact, or not at a distance from "
-                                         "its edge that is a number",
-                          "give a in [load], or distances u as numbers");
+                          point.text() + " is not inside the contact",
+                          "give places of the contact, off its edges");
             const std::string text = point.text();
             const std::string place =
                 point.place && point.place->from() == scene::Place::From::origin

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/precision/message.hpp"
 
+#include <boost/locale/utf.hpp>
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -11,30 +13,6 @@ namespace {
 constexpr std::size_t longest_compared_name = 64;
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
-
-/// Returns the number of bytes of the UTF-8 character at the front and its code in `code`; 0 if
-/// there is no valid character.
-std::size_t decode(std::string_view text, std::uint32_t& code) {
-    const auto first = static_cast<unsigned char>(text.front());
-    const std::size_t length = first < 0x80U   ? 1
-                               : first < 0xC2U ? 0
-                               : first < 0xE0U ? 2
-                               : first < 0xF0U ? 3
-                               : first < 0xF5U ? 4
-                                               : 0;
-    if (length == 0 || text.size() < length) {
-        return 0;
-    }
-    code = length == 1 ? first : first & (0x7FU >> length);
-    for (std::size_t i = 1; i < length; ++i) {
-        if (!is_continuation(text[i])) {
-            return 0;
-        }
-        code = (code << 6U) | (static_cast<unsigned char>(text[i]) & 0x3FU);
-    }
-    const bool overlong = (length == 3 && code < 0x800U) || (length == 4 && code < 0x10000U);
-    return overlong || (code >= 0xD800U && code < 0xE000U) || code > 0x10FFFFU ? 0 : length;
-}
 
 /// True for control characters, line separators, characters that change the direction of writing,
 /// and the two that XML excludes.
@@ -53,19 +31,22 @@ std::string escaped(std::string_view text, bool lines) {
     text.remove_prefix(out.size());
     while (!text.empty()) {
         const char c = text.front();
-        std::uint32_t code = 0;
-        const std::size_t length = decode(text, code);
+        const auto* next = text.begin();
+        const auto code = boost::locale::utf::utf_traits<char>::decode(next, text.end());
+        const bool valid =
+            code != boost::locale::utf::illegal && code != boost::locale::utf::incomplete;
+        const auto length = valid ? static_cast<std::size_t>(next - text.begin()) : 1;
         if (c == '\n' || c == '\r' || c == '\t') {
             out += lines && c != '\r' ? c : ' ';
-        } else if (length > 0 && !steers(code)) {
+        } else if (valid && !steers(code)) {
             out += text.substr(0, length);
         } else {
-            for (const char byte : text.substr(0, std::max<std::size_t>(length, 1))) {
+            for (const char byte : text.substr(0, length)) {
                 const auto value = static_cast<unsigned char>(byte);
                 out += std::string("\\x") + hex[value >> 4U] + hex[value & 0xFU];
             }
         }
-        text.remove_prefix(std::max<std::size_t>(length, 1));
+        text.remove_prefix(length);
     }
     return out;
 }

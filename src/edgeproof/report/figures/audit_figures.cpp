@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <set>
 
 namespace edgeproof::report {
@@ -42,19 +41,14 @@ struct Coefficient {
 
 /// Reads "right.c1".
 std::optional<Coefficient> coefficient_named(std::string_view text) {
-    const std::size_t dot = text.find('.');
-    const std::string_view side = text.substr(0, dot);
-    if (dot == std::string_view::npos || (side != "right" && side != "left") ||
-        text.size() < dot + 3 || text[dot + 1] != 'c') {
-        return std::nullopt;
+    for (const contact::Edge edge : {contact::Edge::right, contact::Edge::left}) {
+        const std::string start = scene::edge_name(edge) + ".c";
+        if (text.starts_with(start) && text.size() == start.size() + 1 && text.back() >= '0' &&
+            text.back() <= '9') {
+            return Coefficient{edge, static_cast<std::size_t>(text.back() - '0')};
+        }
     }
-    std::size_t k = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data() + dot + 2, end, k);
-    if (error != std::errc() || stop != end || k > 9) {
-        return std::nullopt;
-    }
-    return Coefficient{side == "right" ? contact::Edge::right : contact::Edge::left, k};
+    return std::nullopt;
 }
 
 /// Returns the slope between the two rows nearest to the edge; "none" if a residual is 0.

@@ -7,11 +7,11 @@
 
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/trim.hpp>
+#include <boost/regex.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 
@@ -155,75 +155,38 @@ std::string section_words(const audit::Claim& claim, const audit::PrintedSource&
 namespace {
 
 /// Replaces \ref and \cite of the source by their text, so that the file is complete.
-std::string resolved(std::string tex, const audit::PrintedSource& source) {
-    for (const std::string_view command : {"\\ref{", "\\cite{"}) {
-        for (std::size_t at = 0; (at = tex.find(command, at)) != std::string::npos;) {
-            const std::size_t close = tex.find('}', at);
-            if (close == std::string::npos) {
-                break;
-            }
-            const std::string name = tex.substr(at + command.size(), close - at - command.size());
-            const auto label = source.labels.find(name);
-            const std::string text = command == "\\cite{"           ? "[" + latex_text(name) + "]"
-                                     : label == source.labels.end() ? "?"
-                                                                    : latex_text(label->second);
-            tex.replace(at, close - at + 1, text);
-            at += text.size();
-        }
-    }
-    return tex;
-}
-
-/// Returns the place of a quoted figure, such as "46 %", in a sentence of TeX ("46\\%"); nothing if
-/// the sentence does not contain it.
-std::size_t place_of(const std::string& quoted, const std::string& sentence) {
-    const std::string number = quoted.substr(0, quoted.find(' '));
-    const auto part_of_number = [](char c) {
-        return std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.';
-    };
-    for (std::size_t at = 0;
-         !number.empty() && (at = sentence.find(number, at)) != std::string::npos; ++at) {
-        const std::size_t end = at + number.size();
-        const bool percent = quoted.find('%') == std::string::npos ||
-                             sentence.find_first_not_of("\\, ", end) == sentence.find('%', end);
-        if (percent && (at == 0 || !part_of_number(sentence[at - 1])) &&
-            (end == sentence.size() || !part_of_number(sentence[end]) || sentence[end] == '.')) {
-            return at;
-        }
-    }
-    return std::string::npos;
+std::string resolved(const std::string& tex, const audit::PrintedSource& source) {
+    static const boost::regex command(R"(\\(ref|cite)\{([^}]*)\})");
+    return boost::regex_replace(tex, command, [&](const boost::smatch& found) {
+        const auto label = source.labels.find(found[2].str());
+        return found[1] == "cite"             ? "[" + latex_text(found[2].str()) + "]"
+               : label == source.labels.end() ? "?"
+                                              : latex_text(label->second);
+    });
 }
 
 /// Sets the displays of a sentence within its line. A display of several lines is cut off.
 std::string displays_in_line(const std::string& sentence) {
-    std::string out = sentence;
-    for (const std::string_view name : {"equation", "equation*"}) {
-        const std::string open = fmt::format("\\begin{{{}}}", name);
-        const std::string close = fmt::format("\\end{{{}}}", name);
-        for (std::size_t at = 0; (at = out.find(open, at)) != std::string::npos;) {
-            const std::size_t begin = at + open.size();
-            const std::size_t end = std::min(out.find(close, begin), out.size());
-            std::string formula = out.substr(begin, end - begin);
-            if (formula.find('&') != std::string::npos ||
-                formula.find("\\\\") != std::string::npos) {
-                break;
-            }
-            boost::trim_if(formula, boost::is_any_of(" \n,.;"));
-            const std::string inner = "$" + formula + "$";
-            out.replace(at, std::min(end + close.size(), out.size()) - at, inner);
-            at += inner.size();
+    static const boost::regex display(R"(\\begin\{(equation\*?)\}([\s\S]*?)(\\end\{\1\}|\z))");
+    const std::string out = boost::regex_replace(sentence, display, [](const boost::smatch& found) {
+        std::string formula = found[2];
+        if (formula.find('&') != std::string::npos || formula.find("\\\\") != std::string::npos) {
+            return found.str();
         }
-    }
-    const std::size_t display = out.find("\\begin{");
-    return display == std::string::npos ? out : out.substr(0, display) + "\\,\\dots";
+        boost::trim_if(formula, boost::is_any_of(" \n,.;"));
+        return "$" + formula + "$";
+    });
+    const std::size_t cut = out.find("\\begin{");
+    return cut == std::string::npos ? out : out.substr(0, cut) + "\\,\\dots";
 }
 
 /// Returns a sentence, or its beginning if it is long: cut between words, outside formulas, and
-/// behind the figure that is corrected.
+/// behind the last place of the figure that is corrected.
 std::string quotation(const std::string& printed, const std::string& quoted) {
     constexpr std::size_t enough = 260;
     const std::string sentence = displays_in_line(printed);
-    const std::size_t figure = quoted.empty() ? std::string::npos : place_of(quoted, sentence);
+    const std::string number = quoted.substr(0, quoted.find(' '));
+    const std::size_t figure = number.empty() ? std::string::npos : sentence.rfind(number);
     const std::size_t wanted = figure == std::string::npos ? enough : std::max(enough, figure + 30);
     bool in_math = false;
     int depth = 0;

@@ -5,6 +5,7 @@
 #include <boost/algorithm/string/classification.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/trim.hpp>
+#include <boost/regex.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -16,8 +17,6 @@ namespace edgeproof::report {
 namespace {
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
-bool is_blank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 /// Signs that have a TeX command in text.
 std::string_view text_sign(std::string_view command) {
@@ -98,28 +97,9 @@ bool is_sentence(std::string_view tex) {
     if (tex.find('$') != std::string_view::npos) {
         return true;
     }
-    // Three words separated only by spaces, none of them a command or in braces, make a sentence.
-    std::size_t words = 0;
-    for (std::size_t i = 0; i < tex.size();) {
-        std::size_t n = 0;
-        while (i + n < tex.size() && is_letter(tex[i + n])) {
-            ++n;
-        }
-        const bool bound = i > 0 && (tex[i - 1] == '\\' || tex[i - 1] == '{');
-        if (n >= 2 && !bound) {
-            if (++words == 3) {
-                return true;
-            }
-            i += n;
-        } else if (n > 0) {
-            words = 0;
-            i += n;
-        } else {
-            words = tex[i] == ' ' || tex[i] == ',' || tex[i] == '\n' ? words : 0;
-            ++i;
-        }
-    }
-    return false;
+    // Three words separated only by spaces, the first neither a command nor in braces.
+    static const boost::regex words("(^|[^\\\\{A-Za-z])[A-Za-z]{2,}([ ,\n]+[A-Za-z]{2,}){2}");
+    return boost::regex_search(tex.begin(), tex.end(), words);
 }
 
 std::string left_side(std::string_view tex) {
@@ -140,41 +120,13 @@ std::string left_side(std::string_view tex) {
 }
 
 std::vector<std::string> tex_tokens(std::string_view tex) {
+    static const boost::regex token(
+        R"(\\[A-Za-z]+|\\[\s\S]?|\s+|[0-9]+(?:\.[0-9]+)*|[^\x01-\x7F][\x80-\xBF]*|[\s\S])");
     std::vector<std::string> tokens;
-    std::size_t i = 0;
-    const auto take = [&](std::size_t n) {
-        tokens.emplace_back(tex.substr(i, n));
-        i += tokens.back().size();
-    };
-    while (i < tex.size()) {
-        std::size_t n = 1;
-        if (tex[i] == '\\') {
-            ++n;
-            if (i + 1 < tex.size() && is_letter(tex[i + 1])) {
-                while (i + n < tex.size() && is_letter(tex[i + n])) {
-                    ++n;
-                }
-            }
-            take(n);
-        } else if (is_blank(tex[i])) {
-            while (i < tex.size() && is_blank(tex[i])) {
-                ++i;
-            }
-            tokens.emplace_back(" ");
-        } else if (is_digit(tex[i])) {
-            while (i + n < tex.size() &&
-                   (is_digit(tex[i + n]) ||
-                    (tex[i + n] == '.' && i + n + 1 < tex.size() && is_digit(tex[i + n + 1])))) {
-                ++n;
-            }
-            take(n);
-        } else {
-            while (i + n < tex.size() && (static_cast<unsigned char>(tex[i]) & 0x80U) != 0 &&
-                   (static_cast<unsigned char>(tex[i + n]) & 0xC0U) == 0x80U) {
-                ++n;
-            }
-            take(n);
-        }
+    using Tokens = boost::regex_iterator<std::string_view::iterator>;
+    for (Tokens one(tex.begin(), tex.end(), token); one != Tokens(); ++one) {
+        const std::string text = one->str();
+        tokens.push_back(std::isspace(static_cast<unsigned char>(text.front())) != 0 ? " " : text);
     }
     return tokens;
 }

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgeproof/contact/curved/integrated_contact.hpp"
-#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/precision/rounding/escalate.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "lab/cost/cost.hpp"
 
@@ -26,32 +23,14 @@ constexpr std::size_t fewest_samples = 3;
 constexpr std::size_t most_samples = 15;
 constexpr double too_long = 0.2; ///< to take more than one sample
 
-/// Returns enclosures at the chosen points, by the route in balls, which shares no code with the
-/// others.
+/// Returns enclosures at the chosen points, by the last route, which proves its values.
 std::vector<Ball> enclosures(const CostCase& c, const std::vector<std::size_t>& chosen,
                              unsigned digits) {
-    const contact::Profile& profile = *c.scene.profile;
-    const bool closed = profile.has_closed_form();
-    const long wanted = static_cast<long>(static_cast<double>(digits) * 3.3219281) + 8;
-    std::map<long, contact::IntegratedContact> curved; // for each number of bits
+    const ReadyContact contact = cost_routes().back().ready(c, digits);
     std::vector<Ball> exact;
-    const auto at_point = [&](std::size_t i) {
-        if (closed) {
-            return enclosed_pressure(profile, c.scene.contact_modulus, c.scene.load, c.edge, c.u[i],
-                                     digits);
-        }
-        const auto at = [&](long bits) {
-            return curved.try_emplace(bits, profile, c.scene.contact_modulus, c.scene.load, bits)
-                .first->second.pressure(c.edge, c.u[i]);
-        };
-        return escalate(
-            at,
-            [&](const Ball& p) { return p.is_finite() && p.relative_accuracy_bits() >= wanted; },
-            {wanted + 64, 1L << 17});
-    };
     for (const std::size_t i : chosen) {
         try {
-            exact.push_back(at_point(i));
+            exact.push_back(contact(i).ball.value());
         } catch (const DomainError& error) {
             throw InputError("u = " + c.u[i].text() + ": " + error.what(),
                              "give distances from the edge, 0 < u < a + b, off every corner")

@@ -2,8 +2,9 @@
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 
 namespace edgeproof::cli {
@@ -40,12 +41,6 @@ std::string_view shipped_folder(const CLI::App& app) {
                : std::string_view();
 }
 
-std::string upper(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    return text;
-}
-
 /// Returns lines of text in roff, as they are.
 std::string roff(const std::string& text) {
     std::string out;
@@ -65,10 +60,10 @@ std::string man_page(const CLI::App& app, const CLI::App& of, const std::string&
     for (const CLI::App* sub : subcommands(of)) {
         others += ".BR " + roff(page + "-" + sub->get_name()) + " (1)\n";
     }
-    return ".TH " + roff(upper(page)) + " 1 \"\" \"" + app.get_name() + " " + roff(version) +
-           "\" \"User Commands\"\n.SH NAME\n" + roff(page) + " \\- " + roff(of.get_description()) +
-           "\n.SH DESCRIPTION\n.nf\n" + roff(of.help(whole ? "" : app.get_name())) +
-           "\n.fi\n.SH SEE ALSO\n" + others;
+    return ".TH " + roff(boost::to_upper_copy(page)) + " 1 \"\" \"" + app.get_name() + " " +
+           roff(version) + "\" \"User Commands\"\n.SH NAME\n" + roff(page) + " \\- " +
+           roff(of.get_description()) + "\n.SH DESCRIPTION\n.nf\n" +
+           roff(of.help(whole ? "" : app.get_name())) + "\n.fi\n.SH SEE ALSO\n" + others;
 }
 
 } // namespace

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
@@ -130,13 +129,10 @@ void ask_for(scene::Scene& scene, const Options& o, scene::QuantityGroup own,
 
 std::size_t whole_number(const std::string& option, const std::string& text, std::size_t least,
                          std::size_t most) {
-    std::size_t value = 0;
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    require(error == std::errc{} && stop == end && value >= least && value <= most,
-            option + " " + text + " is out of range",
+    const auto value = io::read_whole<std::size_t>(text);
+    require(value && *value >= least && *value <= most, option + " " + text + " is out of range",
             fmt::format("give a whole number from {} to {}", least, most));
-    return value;
+    return *value;
 }
 
 unsigned digits_of(const std::string& text, std::size_t most) {

@@ -13,7 +13,6 @@
 #include <atomic>
 #include <cctype>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
@@ -185,11 +184,8 @@ int own_descriptor(const std::filesystem::path& file) {
         return STDERR_FILENO;
     }
     for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
-        int number = -1;
-        const char* const end = name.data() + name.size();
         if (name.starts_with(folder)) {
-            const auto [stop, error] = std::from_chars(name.data() + folder.size(), end, number);
-            return error == std::errc{} && stop == end ? number : -1;
+            return read_whole<int>(std::string_view(name).substr(folder.size())).value_or(-1);
         }
     }
     return -1;

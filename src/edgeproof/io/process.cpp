@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/io/process.hpp"
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
@@ -15,7 +16,6 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -60,12 +60,9 @@ std::vector<pid_t> all_processes() {
     std::vector<pid_t> all;
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator("/proc", ignored)) {
-        const std::string name = entry.path().filename().string();
-        const char* const end = name.data() + name.size();
-        pid_t process = 0;
-        const auto [stop, error] = std::from_chars(name.data(), end, process);
-        if (error == std::errc{} && stop == end && process != ::getpid()) {
-            all.push_back(process);
+        const auto process = read_whole<pid_t>(entry.path().filename().string());
+        if (process && *process != ::getpid()) {
+            all.push_back(*process);
         }
     }
     return all;

@@ -3,6 +3,8 @@
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -155,12 +157,7 @@ private:
 /// Replaces `stage` in the message by the folder that the user named.
 InputError with_final_names(const InputError& error, const std::string& stage,
                             const std::string& target) {
-    std::string problem = error.problem();
-    for (std::size_t at = 0; (at = problem.find(stage, at)) != std::string::npos;) {
-        problem.replace(at, stage.size(), target);
-        at += target.size();
-    }
-    return {problem, error.instead()};
+    return {boost::replace_all_copy(error.problem(), stage, target), error.instead()};
 }
 
 void move_files(const fs::path& from, const fs::path& target, const fs::path& kept) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <charconv>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +27,15 @@ inline constexpr std::size_t most_text_bytes = 1'000'000'000;
 [[nodiscard]] std::string_view trimmed(std::string_view text, std::string_view blanks = " \t");
 /// The parts between blanks and line ends. (clang 14 does not compile std::views.)
 [[nodiscard]] std::vector<std::string_view> split_words(std::string_view text);
+
+/// Returns the whole number that the text is; nothing for another text, or beyond the type.
+template <std::integral Whole>
+[[nodiscard]] std::optional<Whole> read_whole(std::string_view text) {
+    Whole value{};
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    return error == std::errc{} && stop == end ? std::optional(value) : std::nullopt;
+}
 
 /// True if the text begins with a byte order mark of UTF-16, of either order.
 [[nodiscard]] bool is_utf16(std::string_view text);

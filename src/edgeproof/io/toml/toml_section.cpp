@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_source.hpp"
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -121,12 +122,10 @@ struct TomlSection::Access {
         } else {
             self.reject(line_of(n), std::string(key) + " is not a whole number", range);
         }
-        long value = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        self.require(error == std::errc{} && end == text.data() + text.size() && value >= least &&
-                         value <= most,
-                     line_of(n), std::string(key) + " = " + text + " is out of range", range);
-        return static_cast<std::size_t>(value);
+        const auto value = read_whole<long>(text);
+        self.require(value && *value >= least && *value <= most, line_of(n),
+                     std::string(key) + " = " + text + " is out of range", range);
+        return static_cast<std::size_t>(*value);
     }
     /// Returns read(x, key) for both elements x of each pair in a list.
     template <class Read> [[nodiscard]] auto pairs(std::string_view key, const Read& read) const {

@@ -3,21 +3,14 @@
 #include "edgeproof/io/toml/toml_text.hpp"
 #include "edgeproof/precision/error.hpp"
 
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/split.hpp>
+
 #include <algorithm>
 #include <memory>
 #include <utility>
 
 namespace edgeproof::io {
-
-std::vector<std::string> split_lines(std::string_view text) {
-    std::vector<std::string> lines;
-    while (!text.empty()) {
-        const std::size_t end = text.find('\n');
-        lines.emplace_back(text.substr(0, end));
-        text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
-    }
-    return lines;
-}
 
 std::size_t significant_digits(std::string_view number) {
     std::size_t digits = 0;
@@ -197,7 +190,7 @@ TomlSection TomlSection::parse(std::string_view text, const std::string& file,
     check_toml_limits(text, file);
     auto source = std::make_shared<Source>();
     source->file = file;
-    source->lines = split_lines(text);
+    boost::split(source->lines, text, boost::is_any_of("\n"));
     try {
         source->root = toml::parse(text, file);
     } catch (const toml::parse_error& error) {

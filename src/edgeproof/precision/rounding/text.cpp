@@ -134,21 +134,16 @@ struct Ends {
     Real hi;
 };
 Ends exact_ends(const Ball& x) {
-    Ends e{Real(0), Real(0)};
-    for (const bool upper : {false, true}) {
-        ArfValue r;
-        arf_set_mag(r, arb_radref(x.data()));
-        if (upper) {
-            arf_add(r, arb_midref(x.data()), r, ARF_PREC_EXACT, ARF_RND_DOWN);
-        } else {
-            arf_sub(r, arb_midref(x.data()), r, ARF_PREC_EXACT, ARF_RND_DOWN);
-        }
-        Real& end = upper ? e.hi : e.lo;
-        const slong bits = arf_bits(r);
-        mpfr_set_prec(end.backend().data(), static_cast<mpfr_prec_t>(bits < 2 ? 2 : bits));
-        arf_get_mpfr(end.backend().data(), r, MPFR_RNDN);
-    }
-    return e;
+    ArfValue lo;
+    ArfValue hi;
+    arb_get_interval_arf(lo, hi, x.data(), ARF_PREC_EXACT);
+    const auto exactly = [](const ArfValue& end) {
+        Real r;
+        mpfr_set_prec(r.backend().data(), std::max<mpfr_prec_t>(2, arf_bits(end)));
+        arf_get_mpfr(r.backend().data(), end, MPFR_RNDN);
+        return r;
+    };
+    return {exactly(lo), exactly(hi)};
 }
 
 } // namespace

@@ -10,7 +10,7 @@
 #include "edgeproof/report/text/program_line.hpp"
 #include "edgeproof/report/verdicts/verdict_writers.hpp"
 
-#include <fmt/format.h>
+#include <fmt/chrono.h>
 
 #include <algorithm>
 #include <array>
@@ -170,9 +170,7 @@ std::string date_text() {
     const std::time_t now = set == nullptr
                                 ? std::time(nullptr)
                                 : static_cast<std::time_t>(std::strtoll(set, nullptr, 10));
-    std::tm day{};
-    gmtime_r(&now, &day);
-    return fmt::format("{:04}-{:02}-{:02}", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday);
+    return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
 }
 
 /// The words with which the parts of a file for Coq begin that state what is proved.

@@ -7,7 +7,6 @@
 #include "edgeproof/report/text/program_line.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -34,18 +33,11 @@ bool states(const io::Csv& table, const std::vector<Fact>& facts) {
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> numbers_of(std::string_view text) {
-    std::size_t number = 0;
-    std::size_t of = 0;
-    const char* const end = text.data() + text.size();
-    const auto first = std::from_chars(text.data(), end, number);
-    if (first.ec != std::errc() || first.ptr == end || *first.ptr != '/') {
-        return std::nullopt;
-    }
-    const auto second = std::from_chars(first.ptr + 1, end, of);
-    if (second.ec != std::errc() || second.ptr != end || number < 1 || number > of) {
-        return std::nullopt;
-    }
-    return std::pair(number, of);
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    const auto number = io::read_whole<std::size_t>(text.substr(0, slash));
+    const auto of = io::read_whole<std::size_t>(text.substr(std::min(slash + 1, text.size())));
+    return number && of && *number >= 1 && *number <= *of ? std::optional(std::pair(*number, *of))
+                                                          : std::nullopt;
 }
 
 } // namespace

@@ -151,7 +151,7 @@ PrintedCondition condition_of(const Claim& claim, const AuditContext& context) {
     if (family.axisymmetric()) {
         return read; // the derivations are those of plane contacts
     }
-    SymbolicCase under = symbolic_case(claim, context);
+    SymbolicCase under = case_of_powers(claim, context);
     under.full_stick = !family.has("friction") && family.union_of.empty();
     for (Condition* condition : {&read.as_printed, &read.named}) {
         for (Relation& r : *condition) {
@@ -256,18 +256,46 @@ void add_failure(const Claim& claim, const Sample& sample, unsigned digits, Outc
     }
 }
 
+/// True if a formula has the same value at the next value of a sweep, because the numbers in it do
+/// not change.
+bool is_constant(const Expr& f, const Sample& sample, const SymbolicCase& under) {
+    try {
+        const Expr derived = derive(f, under);
+        const auto here = exact_value(derived, sample);
+        return here && here == exact_value(derived, *sample.next);
+    } catch (const Error&) {
+        return false; // without algebra
+    }
+}
+
+/// The condition at a sample of a sweep, with f instead of next(f) if f is constant.
+PrintedCondition at_step(PrintedCondition condition, const Sample& sample,
+                         const SymbolicCase& under) {
+    for (Condition* relations : {&condition.as_printed, &condition.named}) {
+        for (Relation& r : *relations) {
+            const bool of_next = r.lhs.kind() == Expr::Kind::call && r.lhs.name() == "next";
+            if (of_next && r.lhs.arg(0) == r.rhs && is_constant(r.rhs, sample, under)) {
+                r.lhs = r.rhs;
+            }
+        }
+    }
+    return condition;
+}
+
 /// The condition at each value of a sweep and the next one.
 Outcome along_sweep(const Claim& claim, const AuditContext& context) {
     const Sweep sweep = sweep_of(claim, context);
     const std::string& along = claim.text("along");
     const PrintedCondition condition = condition_of(claim, context);
+    const SymbolicCase under = case_of_powers(claim, context);
     std::vector<Decision> decisions;
     std::vector<std::string> against;
     const Sample* first = nullptr;
     for (std::size_t k = 0; k < sweep.samples.front().size(); ++k) {
         for (std::size_t j = 0; j + 1 < sweep.values.size(); ++j) {
             const Sample& sample = sweep.samples[j][k];
-            const ConditionInScene here(sample, condition, std::nullopt, context.digits());
+            const ConditionInScene here(sample, at_step(condition, sample, under), std::nullopt,
+                                        context.digits());
             decisions.push_back(here.decide_at(nullptr).value_or(Decision()));
             if (refutes(decisions.back()) &&
                 (first == nullptr || first->scene.text() == sample.scene.text())) {

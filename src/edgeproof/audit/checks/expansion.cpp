@@ -274,6 +274,12 @@ Outcome check_expansion(const Claim& claim, const AuditContext& context) {
     const ComparedTerms compared =
         compare_terms(comparison, samples, context.digits(), outcome.evidence);
     outcome.verdict = Judgement::of_all(compared.decisions);
+    if (compared.wrong == nullptr && outcome.verdict == Verdict::undecided &&
+        compare_expansions(printed, exact, in, case_of_powers(claim, context)).equal()) {
+        outcome.verdict = Judgement::proved_by_symbols();
+        outcome.note = "equal power by power for this power of the slope";
+        return outcome;
+    }
     if (compared.wrong == nullptr) {
         outcome.note = outcome.verdict == Verdict::confirmed
                            ? "the coefficients agree at the samples; not proved in symbols"

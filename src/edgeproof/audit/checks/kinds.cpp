@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/audit/checks/kinds.hpp"
 
+#include "edgeproof/algebra/identity.hpp"
+
 #include <algorithm>
 
 namespace edgeproof::audit {
@@ -71,6 +73,27 @@ bool is_symmetric(const Family* family) {
     return !family->profile.starts_with("tilted-") && family->profile != "piecewise";
 }
 
+/// Returns m if g' is a multiple of x^m on each side in all scenes of a family, and known so.
+std::optional<Rational> power_of_slope(const Family& family) {
+    if (family.profile == "wedge" || family.profile == "tilted-wedge") {
+        return 0;
+    }
+    if (family.profile == "piecewise-symmetric" && family.slopes.size() == 1) {
+        const Expr x = Expr::symbol("x");
+        const Expr& slope = family.slopes.front();
+        const Expr linear = substitute(slope, "x", Expr::number(1)) * x;
+        return algebra::proved_zero(slope - linear) ? std::optional(Rational(1)) : std::nullopt;
+    }
+    for (const auto& [name, values] : family.parameters) {
+        if (family.profile == "power-law" && name == "m" && values.size() == 1 &&
+            free_symbols(values.front()).empty()) {
+            const Exact m(values.front());
+            return m.is_rational() ? std::optional(m.rational()) : std::nullopt;
+        }
+    }
+    return family.profile == "hertz" ? std::optional(Rational(1)) : std::nullopt;
+}
+
 } // namespace
 
 const std::vector<CheckKind>& check_kinds() {
@@ -111,6 +134,27 @@ SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context) {
                 }
             }
         }
+    }
+    return under;
+}
+
+SymbolicCase case_of_powers(const Claim& claim, const AuditContext& context) {
+    SymbolicCase under = symbolic_case(claim, context);
+    const Ledger& ledger = context.ledger();
+    std::optional<Rational> power;
+    for (const Family* family : ledger.members(ledger.family(claim.text("over")))) {
+        const auto m = power_of_slope(*family);
+        if (!m || (power && power != m)) {
+            return under;
+        }
+        power = m;
+    }
+    const Expr a = Expr::symbol("a");
+    if (power && !under.P) {
+        under.P = Expr::symbol("factor of P") * pow(a, Expr::number(*power + 1));
+    }
+    if (power && !under.b && !under.symmetric) { // of a tilted wedge
+        under.b = Expr::symbol("factor of b") * a;
     }
     return under;
 }

@@ -33,5 +33,8 @@ using Check = Outcome(const Claim& claim, const AuditContext& context);
 
 /// b = a for a family of symmetric contacts; P(a), b(a) if `given` names them.
 [[nodiscard]] SymbolicCase symbolic_case(const Claim& claim, const AuditContext& context);
+/// The same, in which P is a multiple of a^(m + 1), and b one of a, if g' is a multiple of x^m on
+/// each side with the same m in all scenes of a plane family.
+[[nodiscard]] SymbolicCase case_of_powers(const Claim& claim, const AuditContext& context);
 
 } // namespace edgeproof::audit

@@ -87,8 +87,8 @@ std::optional<Ball> EnclosedSample::quantity(std::string_view name) const {
     if (name == "M") {
         return contact().moment();
     }
-    if (is_greatest(name)) {
-        return greatest(name.substr(name.find('_') + 1));
+    if (is_greatest(name) || name == "p_max") {
+        return greatest(name == "p_max" ? name : name.substr(name.find('_') + 1));
     }
     if (const auto k = order_behind(name, "P")) {
         return force_derivative(*k);
@@ -195,11 +195,13 @@ Ball EnclosedSample::stress(const Expr& call, const Ball& x, const Ball& z) cons
 Ball EnclosedSample::greatest(std::string_view name) const {
     for (const std::string& given : overridden_) {
         if (sample_.scene.parameters.contains(given)) {
-            throw Error("a greatest stress has an enclosure for exact loads only");
+            throw Error("a greatest value has an enclosure for exact loads only");
         }
     }
     const bool of_place = name.ends_with("_x") || name.ends_with("_z");
-    const auto stress = scene::greatest_of(name.substr(0, name.size() - (of_place ? 2 : 0)));
+    const auto stress = name == "p_max"
+                            ? scene::Quantity::p_max
+                            : scene::greatest_of(name.substr(0, name.size() - (of_place ? 2 : 0)));
     const auto digits = static_cast<unsigned>(std::max(10L, bits_ * 3 / 10 - 10));
     const auto found = sample_.scene.greatest(stress, digits);
     return !of_place ? found->value.value : name.ends_with("x") ? found->x.value : found->z.value;

@@ -49,7 +49,7 @@ namespace edgeproof::audit {
 /// u_A - u_B. sxx(x, z), mises(x, z), ... are the stresses in body A, without a bulk stress of A,
 /// and greatest_mises, greatest_mises_x and greatest_mises_z the greatest value and its place
 /// (tau_max, mises; sxx on the surface; axis_mises and axis_mises_z on the axis of a body of
-/// revolution). integral(f, s, lo, hi) and pv(f, s, lo, hi, x) are
+/// revolution); p_max is the greatest pressure. integral(f, s, lo, hi) and pv(f, s, lo, hi, x) are
 /// enclosed as in enclosed_integral.hpp. Not thread-safe: one thread may use an object at a time.
 class EnclosedSample {
 public:

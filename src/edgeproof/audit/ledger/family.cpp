@@ -176,6 +176,13 @@ std::shared_ptr<const scene::GreatestValue> SceneSpec::greatest(scene::Quantity 
     return kept.get(key, [&] {
         scene::Scene scene = *as_scene(true);
         scene.ask.digits.count = digits;
+        if (stress == scene::Quantity::p_max) {
+            scene.ask.quantities = {scene::QuantityGroup::peak};
+            const scene::BoundedValue peak = scene::run_scene(scene).at(stress);
+            return peak.proved ? std::make_shared<const scene::GreatestValue>(
+                                     scene::GreatestValue{peak, {}, {}, {}})
+                               : throw BudgetError("a greatest pressure that is not proved");
+        }
         return std::make_shared<const scene::GreatestValue>(
             scene::greatest_value(scene, stress, scene::Body::A));
     });

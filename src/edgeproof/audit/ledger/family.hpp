@@ -44,7 +44,8 @@ struct SceneSpec {
     /// same edges. Throws InputError as that reader does, and for bodies of revolution that are no
     /// power laws.
     [[nodiscard]] std::shared_ptr<const scene::Scene> as_scene(bool with_shear = false) const;
-    /// The greatest value of a stress in body A, to these digits (scene::greatest_value).
+    /// The greatest value of a stress in body A, to these digits (scene::greatest_value), or of the
+    /// pressure (Quantity::p_max), without its place.
     [[nodiscard]] std::shared_ptr<const scene::GreatestValue> greatest(scene::Quantity stress,
                                                                        unsigned digits) const;
     /// Its contact in balls.

@@ -58,8 +58,8 @@ std::optional<Vocabulary::Refusal> refusal_of(const std::string& name, const Fam
     const bool all_slip = std::ranges::all_of(members, slips);
     const bool of_slip = is_slip_symbol(name);
     const bool of_all = of_slip || is_one_of(name, {"a", "L", "P", "u", "x", "p", "given", "next"});
-    const bool of_bodies_of_revolution = is_one_of(name, {"Es", "gap"}) || is_stress(name) ||
-                                         name.starts_with("right_c") ||
+    const bool of_bodies_of_revolution = is_one_of(name, {"Es", "gap", "p_max"}) ||
+                                         is_stress(name) || name.starts_with("right_c") ||
                                          name.starts_with("left_c") || (all_slip && name == "q");
     const bool of_stick =
         order_behind(name, "right_s").has_value() || order_behind(name, "left_s").has_value();
@@ -256,8 +256,8 @@ bool is_stress(std::string_view name) {
 
 const formula::Symbols& scene_names() {
     static const formula::Symbols names = [] {
-        formula::Symbols all{"a", "b", "Es",      "P",      "M",       "L",
-                             "u", "x", "right_d", "left_d", "stick_a", "stick_b"};
+        formula::Symbols all{"a", "b",       "Es",     "P",       "M",       "L",    "u",
+                             "x", "right_d", "left_d", "stick_a", "stick_b", "p_max"};
         for (int k = 0; k <= 9; ++k) {
             for (const char* stem : {"right_c", "left_c", "right_s", "left_s", "P", "b"}) {
                 if (k > 0 || std::string_view(stem).size() > 1) { // P and b themselves

@@ -58,9 +58,7 @@ Outcome check_sizes(const Claim& claim, const AuditContext& context) {
     if (std::ranges::count(verdicts, Verdict::undecided) > 0) {
         all.note = "the enclosures do not decide at some of " + sizes;
     } else if (holding.empty()) {
-        all.verdict = Judgement::underspecified();
-        all.note = "the size is not given, and it holds at none of " + sizes +
-                   ", which does not decide between them";
+        all.note = "it holds at none of " + sizes + ", which does not decide between them";
     } else if (holding.size() < verdicts.size()) {
         all.verdict = Judgement::underspecified();
         all.note = "the size is not given; of " + sizes +

@@ -6,7 +6,6 @@
 #include "edgeproof/contact/enclosure/isolate_zero.hpp"
 #include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
-#include "edgeproof/formula/evaluation/complex_taylor.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -59,12 +58,8 @@ std::optional<Exact> AxisymmetricContact::not_analytic_at(const Profile& profile
     constexpr long bits = 128;
     const auto finite = [&](std::size_t piece, const Ball& v) {
         const Ball apart = up_to(power_of_two(-100, bits));
-        const Box near(v + apart, apart);
-        AcbPolyValue taylor;
-        formula::complex_taylor(taylor, profile.pieces()[piece].slope, near.get(), 2, bits);
-        Box curvature(bits);
-        acb_poly_get_coeff_acb(curvature.get(), taylor, 1);
-        return curvature.is_finite();
+        return analytic_series(profile.pieces()[piece].slope, Box(v + apart, apart), 2, bits)[1]
+            .is_finite();
     };
     for (std::size_t i = profile.origin(); i < profile.knots().size(); ++i) {
         const Ball v = formula::ball_of(profile.knots()[i], bits);

@@ -6,7 +6,6 @@
 #include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
-#include "edgeproof/formula/evaluation/complex_taylor.hpp"
 
 #include <functional>
 #include <utility>
@@ -69,23 +68,12 @@ AxisymmetricContact::Radius AxisymmetricContact::radius_near_edge(const Box& z) 
 }
 
 Box AxisymmetricContact::value(std::size_t knot, const Box& r, Integrand of) const {
-    const SlopePiece& piece = profile_.pieces()[knot + 1];
-    AcbPolyValue taylor;
-    formula::complex_taylor(taylor, piece.slope, r.get(), of == Integrand::rate ? 2 : 1, bits_);
-    Box slope(bits_);
-    acb_poly_get_coeff_acb(slope.get(), taylor, 0);
-    if (of == Integrand::slope) {
-        return slope;
-    }
-    if (of == Integrand::first_moment) {
-        return slope * r;
-    }
-    if (of == Integrand::moment) {
-        return slope * r * r;
-    }
-    Box curvature(bits_);
-    acb_poly_get_coeff_acb(curvature.get(), taylor, 1);
-    return slope + curvature * r;
+    const std::vector<Box> g =
+        analytic_series(profile_.pieces()[knot + 1].slope, r, of == Integrand::rate ? 2 : 1, bits_);
+    return of == Integrand::slope          ? g[0]
+           : of == Integrand::first_moment ? g[0] * r
+           : of == Integrand::moment       ? g[0] * r * r
+                                           : g[0] + g[1] * r;
 }
 
 Box AxisymmetricContact::rate_over_radius(const Box& r) const {
@@ -94,14 +82,9 @@ Box AxisymmetricContact::rate_over_radius(const Box& r) const {
     }
     // A mean of the derivative, 2 g'' + r g''', over the way from the axis.
     const Box all = Box::hull(r, Box(Ball(0, bits_)));
-    AcbPolyValue taylor;
-    formula::complex_taylor(taylor, profile_.pieces()[rings_[0].knot + 1].slope, all.get(), 3,
-                            bits_);
-    Box second(bits_);
-    Box third(bits_);
-    acb_poly_get_coeff_acb(second.get(), taylor, 1);
-    acb_poly_get_coeff_acb(third.get(), taylor, 2);
-    return (second + third * all) * Ball(2, bits_);
+    const std::vector<Box> g =
+        analytic_series(profile_.pieces()[rings_[0].knot + 1].slope, all, 3, bits_);
+    return (g[1] + g[2] * all) * Ball(2, bits_);
 }
 
 // docs/axisymmetric.md, "Curved slopes": r = s cos(psi)

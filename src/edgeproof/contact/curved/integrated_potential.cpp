@@ -22,9 +22,8 @@ constexpr long bits_of_searches = 128; ///< with more bits a place has a series 
 constexpr std::size_t few_terms = 6;   ///< of such a series
 constexpr long accuracy_of_searches = 48;
 
-Box unknown_number(long bits) { return {unknown_ball(bits), unknown_ball(bits)}; }
 CauchyDerivatives unknown_derivatives(long bits) {
-    const Box x = unknown_number(bits);
+    const Box x = unknown_box(bits);
     return {x, x, x, x};
 }
 
@@ -115,13 +114,6 @@ private:
     long bits_;
 };
 
-/// A lower bound of the distance of a place from the contact.
-Ball distance_from(const Ball& a, const Ball& b, const Box& zeta) {
-    const Ball zero(0, zeta.bits());
-    const Ball across = max(zero, max(zeta.real() - a, -b - zeta.real()));
-    return lower_end(hypot(across, zeta.imaginary()));
-}
-
 } // namespace
 
 const IntegratedContact::FieldData& IntegratedContact::field_data() const {
@@ -143,7 +135,7 @@ CauchyIntegral IntegratedContact::cauchy_integral(const Box& zeta,
     const Ball x = zeta.real();
     const bool surface = arb_is_zero(zeta.imaginary().data()) != 0;
     if (surface && !certainly_less(a_, x) && !certainly_less(x, -b_)) {
-        const Box unknown = unknown_number(bits_);
+        const Box unknown = unknown_box(bits_);
         for (const Edge edge : {Edge::right, Edge::left}) {
             const Ball off = edge == Edge::right ? a_ - x : x + b_;
             if (!contains_zero(off)) {
@@ -200,12 +192,10 @@ std::vector<Ball> IntegratedContact::edge_slope(std::size_t terms) const {
 Box IntegratedContact::edge_slope_rate(const Ball& radius) const {
     const auto piece = edge_piece(Edge::right);
     if (!piece) {
-        return unknown_number(bits_);
+        return unknown_box(bits_);
     }
-    AcbPolyValue g;
-    const Box around = box_of_size(radius) + a_;
-    complex_taylor(g, profile_.pieces()[*piece].slope, around.get(), 2, bits_);
-    return coefficient_of(g, 1, bits_) * (modulus_ * Ball::pi(bits_) / 2);
+    return analytic_series(profile_.pieces()[*piece].slope, box_of_size(radius) + a_, 2, bits_)[1] *
+           (modulus_ * Ball::pi(bits_) / 2);
 }
 
 // Off the contact: T = (E*/2) W M, where M has the coefficients (-1)^k times the integral of
@@ -213,7 +203,7 @@ Box IntegratedContact::edge_slope_rate(const Ball& radius) const {
 // which bounds the omitted terms.
 IntegratedContact::Around
 IntegratedContact::series_off_contact(const Box& centre, std::size_t terms, long accuracy) const {
-    Around made{centre, distance_from(a_, b_, centre), {}};
+    Around made{centre, distance_from({a_, b_}, centre), {}};
     const SlopeOverTheta& all = over_theta();
     const PoleIntegrand integrand(all, centre, field_data().mean, terms, bits_);
     quadrature::ThetaGoal goal{(all.most_change * Magnitude(power_of_two(-accuracy, 64))) /
@@ -294,7 +284,7 @@ CauchyDerivatives IntegratedContact::near_contact(const Box& zeta) const {
 CauchyDerivatives IntegratedContact::cauchy_derivatives(const Box& zeta) const {
     const Box middle = zeta.middle();
     const Ball size = upper_end(abs(zeta - middle));
-    const Ball distance = distance_from(a_, b_, middle);
+    const Ball distance = distance_from({a_, b_}, middle);
     // one disk on the contact serves more boxes than a series off it
     const CauchyDerivatives near = near_contact(zeta);
     if (near[1].is_finite() || !certainly_less(size * 4, distance)) {

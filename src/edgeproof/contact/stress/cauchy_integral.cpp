@@ -2,6 +2,7 @@
 #include "edgeproof/contact/stress/cauchy_integral.hpp"
 
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/ball/magnitude.hpp"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ Box small_moment(const Outside& at, const Box& offset) {
                    ? r * (Ball::pi(bits) + log(Ball(2, bits)) - log(Ball(part.lower(), bits)))
                    : most;
     } else {
-        arb_indeterminate(most.data());
+        most = unknown_ball(bits);
     }
     const Ball all = Ball::hull(-most, most);
     return {all, all};
@@ -287,7 +288,7 @@ CauchyDerivatives power_law_derivatives(const BallContact& contact, const Box& z
     const Box root = root_above(e, zeta);
     const Ball left = Ball(abs(zeta).lower(), bits) - m * r;
     if (!certainly_positive(left) || root.contains_zero()) {
-        const Box unknown = box_of_size(Ball(1, bits) / Ball(0, bits));
+        const Box unknown(unknown_ball(bits), unknown_ball(bits));
         return {unknown, unknown, unknown, unknown};
     }
     const Box start = of_power_law(contact, middle).value;
@@ -347,6 +348,12 @@ CauchyBounds power_law_bounds(const BallContact& contact, const Box& zeta) {
 
 Box root_outside(const Extent<Ball>& e, const Box& zeta) {
     return sqrt(zeta - e.a) * sqrt(zeta + e.b);
+}
+
+Ball distance_from(const Extent<Ball>& e, const Box& zeta) {
+    const Ball zero(0, zeta.bits());
+    const Ball across = max(zero, max(zeta.real() - e.a, -e.b - zeta.real()));
+    return max(zero, Ball(hypot(across, zeta.imaginary()).lower(), zeta.bits()));
 }
 
 CauchyIntegral BallContact::cauchy_integral(const Box& zeta,

@@ -14,6 +14,8 @@ namespace edgeproof::contact {
 [[nodiscard]] Box root_above(const Extent<Ball>& e, const Box& zeta);
 /// z/W for every zeta of a box. Where that contains an edge, z <= |zeta - edge| is used.
 [[nodiscard]] Box depth_over_root(const Extent<Ball>& e, const Box& zeta);
+/// A lower bound of the distance of a box from the contact (length); 0 if they meet.
+[[nodiscard]] Ball distance_from(const Extent<Ball>& e, const Box& zeta);
 /// A box around 0 that contains all numbers of at most the size of x.
 [[nodiscard]] Box box_of_size(const Ball& x);
 

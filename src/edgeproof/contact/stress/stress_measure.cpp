@@ -12,15 +12,6 @@ namespace {
 Ball dot(const Box& x, const Box& y) { return x.real() * y.real() + x.imaginary() * y.imaginary(); }
 Ball square_of_size(const Box& x) { return square(x.real()) + square(x.imaginary()); }
 
-/// The distance of a box from the contact; 0 if they meet.
-Ball distance(const PlaneContact& contact, const Box& zeta) {
-    const Ball x = zeta.real();
-    const Ball zero(0, zeta.bits());
-    const Ball across = max(zero, max(x - contact.a(), -contact.b() - x));
-    const Ball d = hypot(across, zeta.imaginary());
-    return max(zero, Ball(d.lower(), zeta.bits()));
-}
-
 /// The box, or the box around 0 of all numbers of at most `most`, whichever is smaller.
 Box within(const Box& x, const Ball& most) {
     if (!most.is_finite() || (x.is_finite() && abs(x).upper() <= most.upper())) {
@@ -130,7 +121,7 @@ StressMeasure::Sums StressMeasure::sums(const Box& zeta) const {
     for (std::size_t i = 0; i < weights_.size(); ++i) {
         const LoadPart& part = field_.parts[i];
         CauchyBounds bounds = part.contact->cauchy_bounds(zeta);
-        const Ball d = distance(*part.contact, zeta);
+        const Ball d = distance_from({part.contact->a(), part.contact->b()}, zeta);
         const Ball most = forces_[i] / d;
         const Box T = within(bounds.value, most);
         const Box with_depth =
@@ -150,7 +141,7 @@ PlaneJet StressMeasure::jet(const Box& zeta) const {
     for (std::size_t i = 0; i < weights_.size(); ++i) {
         const LoadPart& part = field_.parts[i];
         CauchyDerivatives t = part.contact->cauchy_derivatives(zeta);
-        const Ball d = distance(*part.contact, zeta);
+        const Ball d = distance_from({part.contact->a(), part.contact->b()}, zeta);
         Ball most = forces_[i] / d; // |d^n T/dzeta^n| <= n! F/d^(n+1)
         for (std::size_t n = 0; n < t.size(); ++n) {
             t[n] = within(t[n], most);

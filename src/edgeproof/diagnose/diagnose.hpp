@@ -77,6 +77,28 @@ inline constexpr double least_gain = 4;
 /// The mean square of what remains, relative to `scatter`; outliers are limited.
 [[nodiscard]] double misfit(const Fit& fit, double scatter);
 
+/// A number as a program wrote it, and its error.
+struct Written {
+    std::string text; ///< a decimal, or a hexadecimal float
+    double value = 0;
+    double error = 0;
+    double explained = 0; ///< the part of the error that has another cause
+    double size = 0;      ///< that errors of binary32 are relative to
+};
+
+/// Numbers with fewer digits than a double has.
+struct FewDigits {
+    std::string name;              ///< rounded-to-5, rounded-to-3-decimals or binary32
+    std::string digits;            ///< "5 digits", "3 decimals"; empty for binary32
+    std::vector<std::size_t> rows; ///< the numbers explained
+};
+
+/// Finds numbers whose errors are explained by their digits: nine of ten are wrong by no more than
+/// half a unit of the last digit (or decimal) that nine of ten carry, trailing zeros apart; or nine
+/// of ten of those with five digits right are binary32 numbers, and this is no chance. Numbers that
+/// are wrong by up to a whole unit are explained, too.
+[[nodiscard]] std::optional<FewDigits> few_digits(const std::vector<Written>& numbers);
+
 /// A cause that may explain wrong numbers.
 struct Candidate {
     enum Rank { common_factor, mistake, other_factor, constant };

@@ -190,13 +190,6 @@ struct Diagnosis {
     std::optional<CommonFactor> factor;
 };
 
-/// Finds pressures that carry fewer digits than are written: rounded to a number of significant
-/// digits or decimals, or numbers of binary32; accepted if the errors away from the edges (by a
-/// fiftieth of the contact, on either side) are no larger than this rounding explains. For
-/// binary32, 16 units in the last place of the largest pressure are allowed for a computation.
-[[nodiscard]] std::optional<Cause>
-cause_in_digits(const ResultTable& table, const AlignedResult& data, const ExactContact& exact);
-
 /// Compares data with the pressures that a program with each known mistake would compute
 /// (pressure_suspects()), at nodes away from the edges, by diagnose/diagnose.hpp. In
 /// addition to noise, the mesh's own error `mesh_error` (measures/measures.hpp) is allowed, at most

@@ -79,9 +79,6 @@ struct ResultText {
 /// "0.333333" is taken to have six. Hexadecimal numbers, and zero with an exponent, are exact: 0.
 [[nodiscard]] std::vector<double> column_rounding(const std::vector<std::string_view>& column);
 
-/// Returns the digits that the numbers carry.
-[[nodiscard]] CarriedDigits carried_digits(const std::vector<std::string_view>& column);
-
 struct UsedColumn {
     std::size_t index = 0;
     ColumnName name;

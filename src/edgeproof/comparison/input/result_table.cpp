@@ -223,6 +223,7 @@ private:
         texts.p = *number_of(cells[header_.p.index], text_.separator);
         row.x = value(line, texts.x, header_.x.factor);
         row.p = value(line, texts.p, header_.p.factor);
+        row.p_text = texts.p;
         if (header_.q) {
             texts.q = *number_of(cells[header_.q->index], text_.separator);
             row.q = value(line, texts.q, header_.p.factor);
@@ -347,7 +348,6 @@ private:
                 skipped_ == 1 ? "1 line" : fmt::format("{} lines", skipped_),
                 skipped_ == 1 ? "is" : "are", first_skipped_));
         }
-        table_.p_digits = carried_digits(column(&Texts::p));
         table_.p_factor = header_.p.factor.convert_to<double>();
         set_rounding(&ResultRow::x_rounding, &Texts::x, header_.x.factor);
         set_rounding(&ResultRow::p_rounding, &Texts::p, header_.p.factor);

@@ -46,7 +46,8 @@ struct ResultRow {
     std::size_t line = 0;
     Rational x;
     Rational p;
-    std::optional<Rational> q;
+    std::string p_text = {}; ///< the number in the file
+    std::optional<Rational> q = {};
     /// Gap, slip and sxx along the surface, in the order of surface_roles; not an exact value. NaN
     /// for a cell that is no number, nothing for an empty one.
     std::array<std::optional<double>, surface_roles.size()> surface = {};
@@ -56,22 +57,11 @@ struct ResultRow {
     double q_rounding = 0;
 };
 
-/// The significant digits of the pressures in a file, without trailing zeros.
-struct CarriedDigits {
-    int significant = 0; ///< the most of any number, without zeros at either end
-    int decimals = 0;    ///< the most after the point, if no number has an exponent
-    bool exponents = false;
-    /// True if each number is a binary32 to its written digits, and at least eight have enough
-    /// digits to show this.
-    bool binary32 = false;
-};
-
 struct ResultTable {
     std::string file;
     std::vector<ResultRow> rows; ///< by x; those with equal x in the order of the file
     /// Notes on the file and how it was read, one sentence each: no assumption is silent.
     std::vector<std::string> findings;
-    CarriedDigits p_digits;
     double p_factor = 1; ///< the factor applied to the pressures of the file
 };
 

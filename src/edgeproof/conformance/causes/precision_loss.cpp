@@ -15,166 +15,46 @@
 #include <utility>
 
 namespace edgeproof::conformance {
-namespace {
-
-using diagnose::enough;
-using diagnose::least_share;
-
-constexpr double least_digits_kept = 5.5;
-constexpr unsigned binary32_digits = 9;         // identify every binary32
-constexpr unsigned binary32_decimal_digits = 6; // every such decimal is identified by a binary32
-constexpr unsigned full_digits = 15;
-
-/// The form of the shortest decimal that is the same binary64 (12300 has three digits, and no
-/// decimals): a program may round and then write all digits.
-io::DecimalForm shortest_form(const Answer& answer) {
-    return io::form_of(fmt::format("{}", answer.value.convert_to<double>()));
-}
-
-/// The significant digits as written; 0 for another text than a decimal.
-unsigned digits_written(const Answer& answer) {
-    return static_cast<unsigned>(io::form_of(answer.text).significant);
-}
-/// The significant digits of a decimal as written, or of the shortest one.
-unsigned digits_carried(const Answer& answer) {
-    const auto shortest = static_cast<unsigned>(std::max(shortest_form(answer).carried, 1));
-    return std::min(digits_written(answer), shortest);
-}
-unsigned decimals_carried(const Answer& answer) {
-    return static_cast<unsigned>(shortest_form(answer).carried_decimals);
-}
-
-/// True if the answer is a binary32, or one written with the few digits that identify it. A short
-/// decimal is no evidence: every one survives in binary32.
-bool is_single(const Answer& answer) {
-    const unsigned digits = digits_written(answer);
-    if (digits > 0 && digits_carried(answer) <= binary32_decimal_digits) {
-        return false;
-    }
-    const auto near = answer.value.convert_to<float>();
-    if (static_cast<double>(near) == answer.value.convert_to<double>()) {
-        return true;
-    }
-    const std::string text = fmt::format("{:.{}e}", static_cast<double>(near), binary32_digits - 1);
-    return digits > 0 && digits <= binary32_digits && read_answer(text).value == answer.value;
-}
-
-/// True if the reference, rounded to the number of digits of the answer, is the answer.
-bool is_cut(const Answer& answer, const Reference& reference, unsigned digits) {
-    const Rounded rounded = round_ball(reference.value.value, digits);
-    if (!rounded.complete) {
-        return false;
-    }
-    const Rational value = read_answer(rounded.text).value;
-    return value == answer.value ||
-           (digits_written(answer) >= full_digits &&
-            value.convert_to<double>() == answer.value.convert_to<double>());
-}
-
-/// Wrong answers of one quantity.
-struct Tally {
-    std::vector<std::size_t> wrong; ///< other than 0
-    std::vector<std::size_t> single;
-    std::vector<std::size_t> cut;
-    std::vector<std::size_t> zeros;
-    std::size_t failing = 0; ///< the wrong rows that are not otherwise wrong
-    unsigned written = 0;
-    double digits = 40;
-
-    void add(std::size_t i, const Answer& answer, const Reference& reference, double right_digits) {
-        if (answer.value == 0) {
-            zeros.push_back(i);
-            return;
-        }
-        wrong.push_back(i);
-        const unsigned carried = digits_carried(answer);
-        const bool is_cut_off =
-            carried > 0 && carried < full_digits && is_cut(answer, reference, carried);
-        if (right_digits < least_digits_kept && !is_cut_off) {
-            return;
-        }
-        ++failing;
-        if (is_single(answer)) {
-            single.push_back(i);
-        }
-        if (is_cut_off) {
-            cut.push_back(i);
-        }
-        written = std::max(written, carried);
-        digits = std::min(digits, right_digits);
-    }
-    /// The number of decimals, if most of the cut answers have it, and few the number of digits.
-    [[nodiscard]] std::optional<unsigned> decimals(const Answers& answers) const {
-        std::vector<unsigned> of_cut;
-        std::ranges::transform(cut, std::back_inserter(of_cut),
-                               [&](std::size_t i) { return decimals_carried(answers.given[i]); });
-        const unsigned most = of_cut.empty() ? 0 : std::ranges::max(of_cut);
-        const auto by_digits = std::ranges::count_if(
-            cut, [&](std::size_t i) { return digits_carried(answers.given[i]) == written; });
-        const auto all = static_cast<std::ptrdiff_t>(cut.size());
-        return most > 0 && 2 * std::ranges::count(of_cut, most) > all && 2 * by_digits < all
-                   ? std::optional(most)
-                   : std::nullopt;
-    }
-    /// The rows that cutting explains: also those that other errors have moved by a unit of the
-    /// last digit, and those that are cut to 0.
-    [[nodiscard]] std::vector<std::size_t> explained(const Answers& answers,
-                                                     const Agreements& agreements,
-                                                     std::optional<unsigned> to_decimals) const {
-        std::vector<std::size_t> rows = wrong;
-        std::erase_if(rows, [&](std::size_t i) {
-            const Answer& answer = answers.given[i];
-            const unsigned carried = digits_carried(answer);
-            return to_decimals ? decimals_carried(answer) > *to_decimals ||
-                                     agreements.cases[i].digits < carried - 1.0
-                               : carried > written || agreements.cases[i].digits < written - 1;
-        });
-        std::ranges::copy_if(zeros, std::back_inserter(rows), [&](std::size_t i) {
-            const Real ours = agreements.references[i].value.value.midpoint();
-            return to_decimals && abs(ours) <= pow(Real(10), -static_cast<int>(*to_decimals)) / 2;
-        });
-        return rows;
-    }
-};
-
-} // namespace
 
 std::vector<Convention> infer_precision_loss(const Answers& answers, const Agreements& agreements) {
-    std::map<std::string, Tally> families;
+    std::map<std::string, std::vector<std::size_t>> families; // wrong answers
     for (std::size_t i = 0; i < agreements.cases.size(); ++i) {
-        const CaseAgreement& held = agreements.cases[i];
-        if (answers.given[i].state == Answer::State::number && held.no_reference.empty() &&
-            !held.pass) {
-            families[family_of(answers.questions.list[i])].add(
-                i, answers.given[i], agreements.references[i], held.digits);
+        if (answers.given[i].state == Answer::State::number && !agreements.cases[i].pass &&
+            agreements.cases[i].no_reference.empty()) {
+            families[family_of(answers.questions.list[i])].push_back(i);
         }
     }
     std::vector<Convention> found;
-    for (const auto& [family, t] : families) {
-        const bool cut = enough(t.cut.size(), t.wrong.size());
-        if (!cut && !enough(t.single.size(), t.failing)) {
+    for (const auto& [family, rows] : families) {
+        std::vector<diagnose::Written> numbers;
+        for (const std::size_t i : rows) {
+            const Real ours = agreements.references[i].value.value.midpoint();
+            const Real error = Ball(answers.given[i].value, 256).midpoint() - ours;
+            numbers.push_back({answers.given[i].text, answers.given[i].value.convert_to<double>(),
+                               error.convert_to<double>(), 0,
+                               Real(abs(ours)).convert_to<double>()});
+        }
+        const auto few = few_digits(numbers);
+        if (!few) {
             continue;
         }
         Convention& c = found.emplace_back();
         c.of = family;
-        c.name = "binary32";
-        c.relation = "in single precision (binary32)";
-        c.hint = "compute and write in double precision";
-        c.digits = c.held = t.digits;
-        c.failing = t.failing;
-        c.rows = cut ? t.cut.size() : t.single.size();
-        c.which = t.single;
-        if (cut) {
-            const auto decimals = t.decimals(answers);
-            c.name = decimals ? fmt::format("rounded-to-{}-decimals", *decimals)
-                              : fmt::format("rounded-to-{}", t.written);
-            c.relation =
-                fmt::format("right, and cut to {} {} when written", decimals.value_or(t.written),
-                            decimals ? "decimals" : "digits");
-            c.hint = "write all 17 digits of a double (%.17g), or state what you write with "
-                     "--digits";
-            c.which = t.explained(answers, agreements, decimals);
+        c.name = few->name;
+        c.relation = few->digits.empty() ? "in single precision (binary32)"
+                                         : "right, and cut to " + few->digits + " when written";
+        c.hint = few->digits.empty()
+                     ? "compute and write in double precision"
+                     : "write all 17 digits of a double (%.17g), or state what you write with "
+                       "--digits";
+        c.failing = rows.size();
+        c.rows = few->rows.size();
+        c.digits = agreements.cases[rows[few->rows.front()]].digits;
+        for (const std::size_t k : few->rows) {
+            c.which.push_back(rows[k]);
+            c.digits = std::min(c.digits, agreements.cases[rows[k]].digits);
         }
+        c.held = c.digits;
     }
     return found;
 }
@@ -294,7 +174,7 @@ bool follows(const std::vector<LossRow>& rows, const LossLine& line) {
     const auto share = [](std::size_t part, std::size_t all) {
         return static_cast<double>(part) / static_cast<double>(all);
     };
-    return lossy >= least_lossy_rows && share(fewer, rows.size()) <= 1 - least_share &&
+    return lossy >= least_lossy_rows && share(fewer, rows.size()) <= 1 - diagnose::least_share &&
            share(more, lossy) <= lucky_share;
 }
 

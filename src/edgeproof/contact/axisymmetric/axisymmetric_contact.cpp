@@ -137,6 +137,11 @@ bool AxisymmetricContact::begins_flat(const Ring& ring) const {
     return piece.linear && certainly_zero(piece.linear->rate) && !profile_.has_corner(ring.knot);
 }
 
+bool AxisymmetricContact::is_flat_before(std::size_t ring) const {
+    return std::all_of(rings_.begin(), rings_.begin() + static_cast<std::ptrdiff_t>(ring),
+                       [&](const Ring& before) { return begins_flat(before); });
+}
+
 Ball AxisymmetricContact::minimum_end() const {
     const auto rises = std::find_if(rings_.begin(), rings_.end(),
                                     [&](const Ring& ring) { return !begins_flat(ring); });
@@ -225,7 +230,7 @@ Ball AxisymmetricContact::over_approach(
             }
             return unknown_ball(bits_);
         }
-        if (!on && i == 0) { // a flat: h' is 0 before the first ring
+        if (is_flat_before(i)) { // the integral of an enclosure of 0 would not end
             if (last) {
                 return sum;
             }

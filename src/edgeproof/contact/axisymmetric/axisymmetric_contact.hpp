@@ -140,8 +140,9 @@ private:
     /// The force and the approach h for the radius s (length).
     [[nodiscard]] Ball force_at(const Ball& s) const;
     [[nodiscard]] Ball approach_at(const Ball& s) const;
-    /// True if g' does not change at a ring nor in the piece after it.
+    /// True if g' does not change at a ring nor in the piece after it; and if g' = h' = 0 up to it.
     [[nodiscard]] bool begins_flat(const Ring& ring) const;
+    [[nodiscard]] bool is_flat_before(std::size_t ring) const;
     [[nodiscard]] Place place_of(Edge edge, const Ball& u) const;
     /// The place, on a ring if its x is known to be that of the ring.
     [[nodiscard]] Place on_ring(Place at, const Exact& x) const;

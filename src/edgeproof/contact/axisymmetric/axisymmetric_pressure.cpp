@@ -304,10 +304,7 @@ Box AxisymmetricContact::over_widths(const Place& place, const Box& r, bool mome
         if (on && !contains_zero(rings_[*on].jump) && from_r) {
             return unknown_box(bits_); // infinite at a corner
         }
-        const bool flat =
-            std::all_of(rings_.begin(), rings_.begin() + static_cast<std::ptrdiff_t>(i),
-                        [&](const Ring& ring) { return begins_flat(ring); });
-        if (!flat) { // h' is 0 up to the end of a flat
+        if (!is_flat_before(i)) {
             sum = sum + (met ? Box(over_start(r.real(), i, W.real(), least))
                              : over_width(r, A, on, from_r, W, moment));
         }

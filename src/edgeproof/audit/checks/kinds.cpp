@@ -73,8 +73,11 @@ bool is_symmetric(const Family* family) {
     return !family->profile.starts_with("tilted-") && family->profile != "piecewise";
 }
 
-/// Returns m if g' is a multiple of x^m on each side in all scenes of a family, and known so.
+/// Returns m if g' is a multiple of x^m on each side in all scenes of a plane family, and known so.
 std::optional<Rational> power_of_slope(const Family& family) {
+    if (family.axisymmetric()) {
+        return {}; // P is a multiple of a^(m + 2)
+    }
     if (family.profile == "wedge" || family.profile == "tilted-wedge") {
         return 0;
     }

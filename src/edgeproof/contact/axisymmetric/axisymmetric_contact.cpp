@@ -6,6 +6,7 @@
 #include "edgeproof/contact/enclosure/isolate_zero.hpp"
 #include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
+#include "edgeproof/contact/profile/slope.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -58,7 +59,7 @@ std::optional<Exact> AxisymmetricContact::not_analytic_at(const Profile& profile
     constexpr long bits = 128;
     const auto finite = [&](std::size_t piece, const Ball& v) {
         const Ball apart = up_to(power_of_two(-100, bits));
-        return analytic_series(profile.pieces()[piece].slope, Box(v + apart, apart), 2, bits)[1]
+        return holomorphic_series(profile.pieces()[piece].slope, Box(v + apart, apart), 2, bits)[1]
             .is_finite();
     };
     for (std::size_t i = profile.origin(); i < profile.knots().size(); ++i) {

@@ -6,6 +6,7 @@
 #include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"
+#include "edgeproof/contact/profile/slope.hpp"
 
 #include <functional>
 #include <utility>
@@ -68,8 +69,8 @@ AxisymmetricContact::Radius AxisymmetricContact::radius_near_edge(const Box& z) 
 }
 
 Box AxisymmetricContact::value(std::size_t knot, const Box& r, Integrand of) const {
-    const std::vector<Box> g =
-        analytic_series(profile_.pieces()[knot + 1].slope, r, of == Integrand::rate ? 2 : 1, bits_);
+    const std::vector<Box> g = holomorphic_series(profile_.pieces()[knot + 1].slope, r,
+                                                  of == Integrand::rate ? 2 : 1, bits_);
     return of == Integrand::slope          ? g[0]
            : of == Integrand::first_moment ? g[0] * r
            : of == Integrand::moment       ? g[0] * r * r
@@ -83,7 +84,7 @@ Box AxisymmetricContact::rate_over_radius(const Box& r) const {
     // A mean of the derivative, 2 g'' + r g''', over the way from the axis.
     const Box all = Box::hull(r, Box(Ball(0, bits_)));
     const std::vector<Box> g =
-        analytic_series(profile_.pieces()[rings_[0].knot + 1].slope, all, 3, bits_);
+        holomorphic_series(profile_.pieces()[rings_[0].knot + 1].slope, all, 3, bits_);
     return (g[1] + g[2] * all) * Ball(2, bits_);
 }
 

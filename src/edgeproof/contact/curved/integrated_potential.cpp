@@ -5,6 +5,7 @@
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/enclosure/rigorous_integral.hpp"
+#include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/contact/stress/cauchy_integral.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/precision/ball/acb_values.hpp"
@@ -194,7 +195,8 @@ Box IntegratedContact::edge_slope_rate(const Ball& radius) const {
     if (!piece) {
         return unknown_box(bits_);
     }
-    return analytic_series(profile_.pieces()[*piece].slope, box_of_size(radius) + a_, 2, bits_)[1] *
+    return holomorphic_series(profile_.pieces()[*piece].slope, box_of_size(radius) + a_, 2,
+                              bits_)[1] *
            (modulus_ * Ball::pi(bits_) / 2);
 }
 

@@ -2,8 +2,6 @@
 #include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 
 #include "edgeproof/contact/enclosure/ball_values.hpp"
-#include "edgeproof/formula/evaluation/complex_taylor.hpp"
-#include "edgeproof/precision/ball/acb_values.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
 #include <algorithm>
@@ -71,17 +69,6 @@ Box principal_arctangent(const Box& x) {
     }
     acb_atan(r.get(), x.get(), x.bits());
     return r;
-}
-
-std::vector<Box> analytic_series(const formula::Expr& slope, const Box& s, std::size_t terms,
-                                 long bits) {
-    AcbPolyValue g;
-    formula::complex_taylor(g, slope, s.get(), static_cast<slong>(terms), bits);
-    std::vector<Box> series(terms, Box(bits));
-    for (std::size_t k = 0; k < terms; ++k) {
-        acb_poly_get_coeff_acb(series[k].get(), g, static_cast<slong>(k));
-    }
-    return series;
 }
 
 /// Integrates by Arb (johansson2018).

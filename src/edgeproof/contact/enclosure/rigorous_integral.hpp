@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/ball/complex_box.hpp"
 #include "edgeproof/precision/ball/magnitude.hpp"
@@ -29,9 +28,6 @@ constexpr long narrow_integral_bits = 64;
 /// cut, so that they are holomorphic where they are finite.
 [[nodiscard]] Box principal_root(const Box& x);
 [[nodiscard]] Box principal_arctangent(const Box& x);
-/// The first Taylor coefficients of g' over a box; not finite where g' may not be holomorphic.
-[[nodiscard]] std::vector<Box> analytic_series(const formula::Expr& slope, const Box& s,
-                                               std::size_t terms, long bits);
 /// A box that is not finite.
 [[nodiscard]] Box unknown_box(long bits);
 

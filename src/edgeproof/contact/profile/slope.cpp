@@ -63,14 +63,7 @@ Real RealSlope::rate(std::size_t piece, const Real& x) const {
         return p.rate;
     }
     const Ball at = wider(x);
-    AcbValue z;
-    AcbPolyValue taylor;
-    acb_set_arb(z, at.data());
-    formula::complex_taylor(taylor, p.expression, z, 2, at.bits());
-    acb_poly_get_coeff_acb(z, taylor, 1);
-    Ball rate(0, at.bits());
-    arb_set(rate.data(), acb_realref(z));
-    return rounded(rate);
+    return rounded(holomorphic_series(p.expression, Box(at), 2, at.bits())[1].real());
 }
 
 std::size_t RealSlope::piece_at(const Real& x) const {
@@ -79,6 +72,16 @@ std::size_t RealSlope::piece_at(const Real& x) const {
         ++i;
     }
     return i;
+}
+
+std::vector<Box> holomorphic_series(const Expr& slope, const Box& s, std::size_t terms, long bits) {
+    AcbPolyValue g;
+    formula::complex_taylor(g, slope, s.get(), static_cast<slong>(terms), bits);
+    std::vector<Box> series(terms, Box(bits));
+    for (std::size_t k = 0; k < terms; ++k) {
+        acb_poly_get_coeff_acb(series[k].get(), g, static_cast<slong>(k));
+    }
+    return series;
 }
 
 } // namespace edgeproof::contact

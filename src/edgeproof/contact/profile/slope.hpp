@@ -4,6 +4,7 @@
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
+#include "edgeproof/precision/ball/complex_box.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -39,6 +40,10 @@ private:
     std::vector<Real> knots_;
     std::vector<Piece> pieces_;
 };
+
+/// The first Taylor coefficients of g' over a box; not finite where g' may not be holomorphic.
+[[nodiscard]] std::vector<Box> holomorphic_series(const Expr& slope, const Box& s,
+                                                  std::size_t terms, long bits);
 
 /// Returns a slope g'(x) as a function of the distance x - knot; the symbol of the distance is x
 /// again. Parts that are linear in x and vanish at the knot lose their constant exactly. So (x -

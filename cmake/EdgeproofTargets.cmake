@@ -65,21 +65,17 @@ function(edgeproof_add_units target kind root sources)
     endif()
 endfunction()
 
-# edgeproof_add_module(<module> [QUICK] [OPTIMIZED <folders>] [LAB] [DEPENDS <modules below>]
+# edgeproof_add_module(<module> [QUICK] [OPTIMIZED <folders>] [DEPENDS <modules below>]
 #                    [LIBS <in its headers>] [PRIVATE_LIBS <in its sources only>])
-# QUICK: see edgeproof_own_flags; the folders after OPTIMIZED are compiled without it. LAB: the
-# sources are in <module> itself, and the library is not installed.
+# QUICK: see edgeproof_own_flags; the folders after OPTIMIZED are compiled without it.
 # Adds the static library edgeproof_<module>, alias edgeproof::<module>, of
 # src/edgeproof/<module>/*.cpp. A module without sources is an interface library.
 function(edgeproof_add_module module)
-    cmake_parse_arguments(PARSE_ARGV 1 arg "QUICK;LAB" "" "OPTIMIZED;DEPENDS;LIBS;PRIVATE_LIBS")
+    cmake_parse_arguments(PARSE_ARGV 1 arg "QUICK" "" "OPTIMIZED;DEPENDS;LIBS;PRIVATE_LIBS")
     set(target edgeproof_${module})
     set(root ${PROJECT_SOURCE_DIR}/src/edgeproof)
-    if(arg_LAB)
-        set(root ${PROJECT_SOURCE_DIR})
-    endif()
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${root}/${module}/*.cpp)
-    list(FILTER sources EXCLUDE REGEX "/(cli|lab)/main\\.cpp$")
+    list(FILTER sources EXCLUDE REGEX "/cli/main\\.cpp$")
     list(TRANSFORM arg_DEPENDS PREPEND edgeproof::)
     if(sources)
         set(usage PUBLIC)
@@ -106,16 +102,11 @@ function(edgeproof_add_module module)
         add_library(${target} INTERFACE)
     endif()
     target_compile_features(${target} ${usage} cxx_std_20)
-    if(arg_LAB)
-        target_include_directories(${target} ${usage} ${PROJECT_SOURCE_DIR})
-    endif()
     target_include_directories(${target} ${usage}
         $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
         $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
     target_link_libraries(${target} ${usage} ${arg_DEPENDS} ${arg_LIBS})
     set_target_properties(${target} PROPERTIES EXPORT_NAME ${module})
     add_library(edgeproof::${module} ALIAS ${target})
-    if(NOT arg_LAB)
-        install(TARGETS ${target} EXPORT edgeproof)
-    endif()
+    install(TARGETS ${target} EXPORT edgeproof)
 endfunction()

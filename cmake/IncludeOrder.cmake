@@ -2,8 +2,7 @@
 # Includes point down: the target include_order, on which every module depends, fails if a source
 # includes a header of a folder above its own in src/edgeproof/folders.txt. It runs again when a
 # source has changed.
-file(GLOB_RECURSE edgeproof_sources CONFIGURE_DEPENDS src/edgeproof/*.cpp src/edgeproof/*.hpp
-    lab/*.cpp lab/*.hpp)
+file(GLOB_RECURSE edgeproof_sources CONFIGURE_DEPENDS src/edgeproof/*.cpp src/edgeproof/*.hpp)
 set(include_order_checked ${PROJECT_BINARY_DIR}/include_order.checked)
 add_custom_command(OUTPUT ${include_order_checked}
     COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR}

@@ -52,10 +52,10 @@ if(PROJECT_IS_TOP_LEVEL AND TARGET edgeproof)
         COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual}
         # FLINT keeps memory until the end (tests/lsan.supp, which is not set in a build).
         COMMAND ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0
-                $<TARGET_FILE:edgeproof_lab_program> --write-manual ${manual}
+                $<TARGET_FILE:edgeproof> --write-manual ${manual}
         ${compress}
         COMMAND ${CMAKE_COMMAND} -E touch ${manual}/made
-        DEPENDS edgeproof_lab_program VERBATIM COMMENT "Manual pages")
+        DEPENDS edgeproof VERBATIM COMMENT "Manual pages")
     add_custom_target(edgeproof_manual ALL DEPENDS ${manual}/made)
     install(DIRECTORY ${manual}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT program
         OPTIONAL)

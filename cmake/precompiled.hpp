@@ -2,7 +2,7 @@
 // Headers that nearly every source includes: parsing them once halves the time of a clean build
 // (option EDGEPROOF_PCH). No source may rely on this header; presets without it check that.
 #include "edgeproof/formula/expr.hpp"
-#include "edgeproof/precision/ball/acb_values.hpp"
+#include "edgeproof/precision/ball/arb_values.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 
 #include <boost/math/constants/constants.hpp>

@@ -481,7 +481,7 @@ class Scene:
                  digits: int | None = None) -> Row:
         """The greatest "mises" or "tau_max" in a body, or "sxx" on its surface, and its place.
 
-        Of a body of revolution the greatest on its axis.
+        Of a body of revolution the greatest on its axis; of a sphere nothing is greater off it.
 
         Raises InputError for a stress that is infinite or has no greatest value.
         """

@@ -149,7 +149,8 @@ public:
     /// "signed", "contact", "stick", "unbounded"} in their place.
     [[nodiscard]] std::string pictures(const Keys& asked, const std::string& field = "",
                                        bool body_B = false) const;
-    /// The greatest mises or tau_max in a body (of revolution: on its axis), or sxx on its surface,
+    /// The greatest mises or tau_max in a body (of revolution: on its axis, which
+    /// is all of the body for a sphere), or sxx on its surface,
     /// as JSON: {"value", "x", "z": states of values, "notes"}.
     [[nodiscard]] std::string greatest(const std::string& quantity, bool body_B,
                                        unsigned digits) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "edgeproof/contact/curved/proved_slip.hpp"
-#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "tests/contact/scenes.hpp"
 

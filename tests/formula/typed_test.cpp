@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgeproof/formula/typed.hpp"
+#include "edgeproof/formula/parse.hpp"
 #include "tests/support/namespaces.hpp"
 #include "tests/support/table.hpp"
 

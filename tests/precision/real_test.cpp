@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/real.hpp"
 #include "tests/support/namespaces.hpp"
 

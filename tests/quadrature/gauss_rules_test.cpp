@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgeproof/quadrature/gauss_legendre.hpp"
+#include "edgeproof/quadrature/theta_cells.hpp"
 
 #include "edgeproof/precision/ball/ball.hpp"
 #include "tests/support/namespaces.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgeproof/precision/arithmetic.hpp"
+#include "edgeproof/precision/real.hpp"
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 #include "tests/support/namespaces.hpp"
 

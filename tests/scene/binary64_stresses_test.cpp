@@ -3,7 +3,7 @@
 
 #include "edgeproof/precision/double_word/binary64_ball.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 #include "tests/scene/scene_words.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgeproof/scene/stress_estimates.hpp"
 
 #include "edgeproof/scene/binary64_values.hpp"
 #include "tests/scene/scene_words.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 #include "edgeproof/series/truncated.hpp"
 #include "tests/support/namespaces.hpp"
 

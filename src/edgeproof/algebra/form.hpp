@@ -2,7 +2,7 @@
 #pragma once
 #include "edgeproof/algebra/polynomial.hpp"
 #include "edgeproof/formula/expr.hpp"
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 
 #include <functional>
 #include <memory>

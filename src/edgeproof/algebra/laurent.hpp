@@ -2,7 +2,7 @@
 #pragma once
 #include "edgeproof/algebra/form.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 #include "edgeproof/series/truncated.hpp"
 
 #include <algorithm>

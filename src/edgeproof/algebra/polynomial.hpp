@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 
 #include <cstddef>
 #include <flint/flint.h>

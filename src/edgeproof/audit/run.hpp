@@ -2,7 +2,7 @@
 #pragma once
 #include "edgeproof/audit/ledger/ledger.hpp"
 #include "edgeproof/audit/sample/audit_context.hpp"
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -66,12 +66,8 @@ inline constexpr Command scene_commands[] = {{"pressure", pressure}, {"expand", 
                                              {"stress", stress},     {"displacement", displacement},
                                              {"plot", plot}};
 
-/// The command of lab. The program edgeproof has only its name and starts edgeproof-lab, so that
-/// the build of the program does not wait for lab.
-inline constexpr const char* cost_name = "cost";
-
-/// Runs the program with all its commands and returns its exit status. `cost` null: `cost` is
-/// started as the program edgeproof-lab.
+/// Runs the program with all its commands and returns its exit status. `cost`: the command of the
+/// module above this one.
 [[nodiscard]] int run_edgeproof(int argc, char** argv, int (*cost)(Options&));
 
 /// The program with these subcommands: reads the command line, runs the command that it names, and
@@ -128,7 +124,7 @@ decltype(auto) with_progress(std::string what, std::function<void(std::size_t, s
 [[nodiscard]] bool stdout_takes_colour();
 
 /// Writes manual pages into a folder: man1/edgeproof.1 with the help, man1/edgeproof-NAME.1 with
-/// that of each subcommand, and one for edgeproof-lab that refers to the first.
+/// that of each subcommand.
 void write_manual(const CLI::App& app, const std::string& version,
                   const std::filesystem::path& folder);
 

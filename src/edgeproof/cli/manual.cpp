@@ -77,7 +77,6 @@ void write_manual(const CLI::App& app, const std::string& version,
         io::write_whole(man / (app.get_name() + "-" + sub->get_name() + ".1"),
                         man_page(app, *sub, version));
     }
-    io::write_whole(man / "edgeproof-lab.1", ".so man1/" + app.get_name() + ".1\n");
 }
 
 std::vector<std::string> completions(const CLI::App& app, const std::vector<std::string>& words) {

@@ -3,11 +3,7 @@
 #include "edgeproof/cli/scene_command.hpp"
 #include "edgeproof/report/report.hpp"
 
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <iterator>
@@ -115,33 +111,9 @@ int run_program(int argc, char** argv, const std::vector<Command>& commands) {
     return 2;
 }
 
-namespace {
-
-/// Replaces this process by edgeproof-lab if the command is `cost`, or if the manual of all
-/// commands is to be written. Returns an error message if there is no such program.
-std::string start_lab(int argc, char** argv) {
-    const std::string_view first = argc > 1 ? argv[1] : "";
-    const std::string_view command = first == "help" && argc > 2 ? argv[2] : first;
-    if (command != cost_name && command != "--write-manual") {
-        return "";
-    }
-    const std::filesystem::path lab = installed("edgeproof-lab");
-    ::execv(lab.c_str(), argv);
-    return std::string(command) + " needs the program " + lab.string() +
-           ", which does not start (" + std::strerror(errno) + "); scripts/build release builds it";
-}
-
-} // namespace
-
 int run_edgeproof(int argc, char** argv, int (*cost)(Options&)) {
     open_standard_streams();
     take_aborts();
-    if (cost == nullptr) {
-        if (const std::string problem = start_lab(argc, argv); !problem.empty()) {
-            say_at_the_end("edgeproof: " + problem);
-            return 2;
-        }
-    }
     take_signals();
     std::vector<Command> commands(std::begin(scene_commands), std::end(scene_commands));
     commands.insert(commands.end(), {{"design", design},
@@ -151,7 +123,7 @@ int run_edgeproof(int argc, char** argv, int (*cost)(Options&)) {
                                      {"check", check},
                                      {"compare", compare},
                                      {"relations", relations},
-                                     {cost_name, cost}});
+                                     {"cost", cost}});
     return run_program(argc, argv, commands);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/comparison/comparison.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 

@@ -6,7 +6,6 @@
 ///   law/kernels.hpp                   P, M, b(a) and their rates as integrals over dg'
 ///   law/edge_expansion.hpp            c_0, c_1, ... at both edges
 ///   law/shear.hpp                     q under full stick
-///   slip/slip_series.hpp              the slip zones in powers of the load
 ///   tilt/tilt_solver.hpp              the tilt for a given force and moment
 ///   double_word/double_word_pressure.hpp  pressures to binary64, in double words with bounds
 ///   enclosure/ball_contact.hpp        BallContact: the contact in balls, proved
@@ -14,7 +13,7 @@
 ///   enclosure/exact_contact.hpp       exact values; edges on a knot, decided by exact algebra
 ///   enclosure/taylor_cover.hpp        TaylorCover: series of a function with expensive values
 ///   enclosure/ball_extent.hpp         how far n terms stay within a tolerance, proved
-///   slip/ball_slip.hpp                BallSlip: partial slip, proved
+///   slip/ball_slip.hpp                BallSlip: partial slip, proved; slip zones as series
 ///   slip/stick_zone.hpp               ZoneSolver: the stick zone under any force and tilt
 ///   slip/slip_reach.hpp               the load up to which n terms of a zone's size are accurate
 ///   curved/integrated_contact.hpp     IntegratedContact: curved g', by rigorous integration

@@ -3,7 +3,6 @@
 
 #include "edgeproof/formula/fold.hpp"
 #include "edgeproof/formula/names.hpp"
-#include "edgeproof/formula/typed.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "edgeproof/formula/names.hpp"
-#include "edgeproof/formula/typed.hpp"
+#include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/message.hpp"
 
 #include <algorithm>

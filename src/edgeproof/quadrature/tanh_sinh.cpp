@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 
-#include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/bounded_cache.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/real.hpp"
 
 #include <deque>
 #include <memory>

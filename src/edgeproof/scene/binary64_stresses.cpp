@@ -2,11 +2,11 @@
 #include "edgeproof/scene/binary64_values.hpp"
 
 #include "edgeproof/contact/stress/binary64_stress.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 #include <algorithm>

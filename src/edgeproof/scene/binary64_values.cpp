@@ -2,10 +2,10 @@
 #include "edgeproof/scene/binary64_values.hpp"
 
 #include "edgeproof/contact/double_word/double_word_pressure.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/scene/input/readers.hpp"
 #include "edgeproof/scene/run_scene.hpp"

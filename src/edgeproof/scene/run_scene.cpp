@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/scene/run_scene.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 

@@ -54,7 +54,8 @@ struct GreatestValue {
 
 /// The quantity of "mises", "tau_max" or "sxx". Throws InputError for other names.
 [[nodiscard]] Quantity greatest_of(std::string_view stress);
-/// Returns the greatest mises or tau_max for z >= 0 (of a body of revolution: on its axis), or the
+/// Returns the greatest mises or tau_max for z >= 0 (of a body of revolution: on its axis, which
+/// is proved to be all of the body for a sphere), or the
 /// greatest sxx at z = 0, to the digits of the scene. `quantity`: that of greatest_of(). Throws
 /// InputError for one that has no greatest value and for mises without a Poisson's ratio,
 /// BudgetError where the search does not decide.

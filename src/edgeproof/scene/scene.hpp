@@ -7,12 +7,12 @@
 ///   quantity.hpp     the table of quantities: names, places, units, evaluators
 ///   rows.hpp         Row: one asked value with its result
 ///   scene_values.hpp  SceneValues: a solved scene, which computes single values
-///   enclosure.hpp    exact constants as balls
+///   exact.hpp        exact constants, also as balls
 ///   bounded_value.hpp  BoundedValue: a value, its error, its route; printing
 ///   run_scene.hpp    run_scene: all values that a scene asks for
 ///                    greatest_value: the greatest stress of a body, and its place
 ///   binary64_values.hpp  many values, rounded to binary64
-#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/scene/input/bounded_value.hpp"
 #include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgeproof/scene/stress_estimates.hpp"
 
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/stress/binary64_stress.hpp"
-#include "edgeproof/contact/stress/revolution_estimate.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 #include "edgeproof/scene/binary64_values.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <functional>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -163,6 +164,57 @@ std::optional<Estimate> plane_estimate(Scene scene, const BallLevel& level, Body
     };
 }
 
+/// A place at which the rate h' of a body of revolution is given; between two of them it is a
+/// straight line. They ascend, twice the same radius where h' jumps.
+struct RateNode {
+    double s; ///< radius (length)
+    double rate;
+};
+
+using Complex64 = std::complex<double>;
+
+/// The integrals over tau of 1/R, 1/R^3, tau/R^3, 1/(R (R + tau)) and 1/(R + tau), and of the same
+/// times tau, without the factor 1/r^2 of the textbook forms: (R - tau) (R + tau) = r^2.
+std::array<std::array<Complex64, 2>, 5> integrals(const Complex64& tau, double r) {
+    const Complex64 R = std::sqrt(tau + Complex64(0, r)) * std::sqrt(tau - Complex64(0, r));
+    const Complex64 sum = R + tau;
+    const Complex64 logarithm = std::log(sum);
+    const Complex64 part = tau / (sum * 2.0);
+    return {{{logarithm, R},
+             {-1.0 / (R * sum), -1.0 / R},
+             {-1.0 / R, logarithm - tau / R},
+             {-1.0 / sum, logarithm / 2.0 - part},
+             {logarithm / 2.0 + part, (R * R + R * tau + tau * tau) / (sum * 3.0)}}};
+}
+
+/// The stresses at the place x and the depth z > 0 (lengths), for `scale` = E*/pi: the integrals of
+/// docs/axisymmetric.md, "Inside the body", have closed forms over each line. With tau = z + i s a
+/// line h' = p + q s is (p + i q z) - i q tau, and ds = -i dtau.
+Components below_revolution(const std::vector<RateNode>& nodes, double scale, double poisson,
+                            double x, double z) {
+    const double r = std::fabs(x);
+    std::array<double, 5> of{};
+    auto before = integrals({z, nodes.front().s}, r);
+    for (std::size_t k = 1; k < nodes.size(); ++k) {
+        const auto& [from, rate] = nodes[k - 1];
+        const auto here = integrals({z, nodes[k].s}, r);
+        const double q = nodes[k].s > from ? (nodes[k].rate - rate) / (nodes[k].s - from) : 0;
+        const Complex64 constant(rate - q * from, q * z);
+        for (std::size_t n = 0; n < of.size(); ++n) {
+            const Complex64 over = constant * (here[n][0] - before[n][0]) +
+                                   Complex64(0, -q) * (here[n][1] - before[n][1]);
+            of[n] -= over.real(); // Im(-i x) = -Re(x)
+        }
+        before = here;
+    }
+    const double I = of[0];
+    const double K = z * of[2];
+    const double L = z * of[3];
+    const double M = (1 - 2 * poisson) * of[4];
+    return {scale * (I - K + L - M), scale * (I + K), scale * z * x * of[1],
+            scale * (2 * poisson * I - L + M), false};
+}
+
 std::optional<Estimate> revolution_estimate(const Scene& scene, const BallLevel& level, Body body,
                                             std::size_t count) {
     const double a = approximate(level.a());
@@ -178,7 +230,7 @@ std::optional<Estimate> revolution_estimate(const Scene& scene, const BallLevel&
         return approximate(law->force_rate() / law->modulus()) * std::pow(s / a, exponent);
     };
     const auto& knots = scene.profile->knots();
-    std::vector<contact::RevolutionEstimate::Node> nodes;
+    std::vector<RateNode> nodes;
     for (std::size_t i = scene.profile->origin(); i < knots.size(); ++i) {
         const double from = knots[i].to<double>();
         if (from >= a) {
@@ -198,12 +250,9 @@ std::optional<Estimate> revolution_estimate(const Scene& scene, const BallLevel&
         }
     }
     nodes.push_back({a, rate(a)});
-    const contact::RevolutionEstimate stress(std::move(nodes),
-                                             approximate(level.contact().modulus()),
-                                             scene.poisson(body)->to<double>());
-    return [stress](double x, double z) -> Components {
-        const auto s = stress.at(x, z);
-        return {s.sxx, s.szz, s.sxz, s.across, false};
+    const double scale = approximate(level.contact().modulus()) / std::numbers::pi;
+    return [nodes, scale, poisson = scene.poisson(body)->to<double>()](double x, double z) {
+        return below_revolution(nodes, scale, poisson, x, z);
     };
 }
 

@@ -231,7 +231,8 @@ GreatestValue greatest_inside(const Scene& scene, Fields& fields, Quantity quant
     return result;
 }
 
-/// The greatest tau_max, or mises = 2 tau_max, on the axis of an axisymmetric contact.
+/// The greatest tau_max, or mises = 2 tau_max, on the axis of an axisymmetric contact. Below a
+/// sphere nothing is greater off the axis (docs/axisymmetric.md, "The greatest stresses").
 GreatestValue greatest_on_axis(const Scene& asked, Quantity quantity, Body body) {
     if (quantity == Quantity::sxx) {
         refuse(asked,
@@ -251,7 +252,9 @@ GreatestValue greatest_on_axis(const Scene& asked, Quantity quantity, Body body)
                 greatest = {proved(found.value * factor, route),
                             zero(route),
                             proved(found.z, route),
-                            {"at all other places of the axis x = 0 the value is less",
+                            {std::string("at all other places ") +
+                                 (asked.is_sphere() ? "" : "of the axis x = 0 ") +
+                                 "the value is less",
                              std::to_string(found.intervals) + " intervals were examined"}};
             }
         } catch (const BudgetError&) {

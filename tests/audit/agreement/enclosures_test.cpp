@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/audit/agreement/enclosures.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/support/namespaces.hpp"
 

@@ -3,7 +3,7 @@
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/formula/parse.hpp"
-#include "edgeproof/precision/ball/acb_values.hpp"
+#include "edgeproof/precision/ball/arb_values.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "tests/contact/extents.hpp"
 #include "tests/support/namespaces.hpp"

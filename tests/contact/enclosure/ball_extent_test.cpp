@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
+#include "edgeproof/contact/enclosure/interval_maximum.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "tests/contact/extents.hpp"
 #include "tests/support/namespaces.hpp"

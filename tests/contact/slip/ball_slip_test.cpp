@@ -3,7 +3,7 @@
 
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/slip/slip_reach.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "tests/contact/scenes.hpp"
 
 #include <doctest/doctest.h>

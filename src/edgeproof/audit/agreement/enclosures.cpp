@@ -2,7 +2,7 @@
 #include "edgeproof/audit/agreement/enclosures.hpp"
 
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 #include "edgeproof/precision/rounding/text.hpp"

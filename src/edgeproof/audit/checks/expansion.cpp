@@ -5,7 +5,7 @@
 #include "edgeproof/audit/checks/parts/residual_fit.hpp"
 #include "edgeproof/audit/diagnosis/diagnosis.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 

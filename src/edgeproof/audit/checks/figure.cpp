@@ -4,8 +4,8 @@
 #include "edgeproof/audit/checks/kinds.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
 #include "edgeproof/audit/ledger/printed_formula.hpp"
-#include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/real.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <boost/algorithm/string/join.hpp>

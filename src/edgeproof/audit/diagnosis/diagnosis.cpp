@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/audit/diagnosis/diagnosis.hpp"
 #include "edgeproof/contact/enclosure/exact_contact.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
-#include "edgeproof/precision/arithmetic.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/real.hpp"
 
 #include <algorithm>
 #include <cmath>

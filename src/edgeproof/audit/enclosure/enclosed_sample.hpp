@@ -7,10 +7,10 @@
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/law/shear.hpp"
+#include "edgeproof/contact/stress/cauchy_integral.hpp"
 #include "edgeproof/contact/stress/plane_stress.hpp"
-#include "edgeproof/contact/stress/surface_gap.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>

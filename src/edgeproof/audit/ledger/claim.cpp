@@ -3,7 +3,7 @@
 
 #include "edgeproof/audit/ledger/ledger_parts.hpp"
 #include "edgeproof/formula/expr.hpp"
-#include "edgeproof/formula/typed.hpp"
+#include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"
 

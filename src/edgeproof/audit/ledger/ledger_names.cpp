@@ -72,9 +72,10 @@ std::optional<Vocabulary::Refusal> refusal_of(const std::string& name, const Fam
                        "right.c0, right.c1, ... or stresses such as szz(x, z); with friction also "
                        "q(x), right.d and stick_a"};
     }
-    if (is_greatest(name) && name.starts_with(family.axisymmetric() ? "greatest" : "axis")) {
+    if (is_greatest(name) && family.profile != "sphere" &&
+        name.starts_with(family.axisymmetric() ? "greatest" : "axis")) {
         return Refusal{dotted(name) + (family.axisymmetric()
-                                           ? " is not proved off the axis of a body of revolution"
+                                           ? " is proved off the axis of a sphere only"
                                            : " is a value on the axis of a body of revolution"),
                        "write axis.tau_max, axis.tau_max.z (or mises), the greatest on the axis of "
                        "a body of revolution, and greatest.tau_max, ... in plane contacts"};

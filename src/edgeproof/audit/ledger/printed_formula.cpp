@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/audit/ledger/printed_formula.hpp"
 
-#include "edgeproof/precision/arithmetic.hpp"
+#include "edgeproof/precision/real.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>

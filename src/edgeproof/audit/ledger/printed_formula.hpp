@@ -2,7 +2,6 @@
 #pragma once
 #include "edgeproof/audit/ledger/claim.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
-#include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/real.hpp"
 
 #include <string>

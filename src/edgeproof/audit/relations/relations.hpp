@@ -2,7 +2,7 @@
 #pragma once
 #include "edgeproof/audit/symbolic/symbolic.hpp"
 #include "edgeproof/formula/expr.hpp"
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 
 #include <array>
 #include <cstddef>

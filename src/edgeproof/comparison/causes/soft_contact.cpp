@@ -2,7 +2,7 @@
 #include "edgeproof/comparison/causes/causes.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/roots/place_of_minimum.hpp"
+#include "edgeproof/roots/roots.hpp"
 
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_2.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/comparison/measures/measures.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/precision/rational.hpp"
-#include "edgeproof/roots/place_of_minimum.hpp"
+#include "edgeproof/precision/real.hpp"
+#include "edgeproof/roots/roots.hpp"
 
 #include <fmt/format.h>
 

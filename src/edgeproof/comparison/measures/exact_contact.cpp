@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/comparison/measures/exact_contact.hpp"
-#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/precision.hpp"
-#include "edgeproof/quadrature/gauss_legendre.hpp"
+#include "edgeproof/quadrature/theta_cells.hpp"
 
 #include <algorithm>
 #include <cmath>

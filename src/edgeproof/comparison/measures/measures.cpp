@@ -3,7 +3,7 @@
 #include "edgeproof/diagnose/diagnose.hpp"
 #include "edgeproof/io/foreign_text.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/roots/power_law_fit.hpp"
+#include "edgeproof/roots/roots.hpp"
 
 #include <functional>
 #include <numeric>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/conformance/answers/answers.hpp"
 
-#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/parallel/parallel_for.hpp"
 
 #include <algorithm>

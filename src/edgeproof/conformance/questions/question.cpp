@@ -2,7 +2,7 @@
 #include "edgeproof/conformance/questions/question.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/scene/input/scene_words.hpp"
 

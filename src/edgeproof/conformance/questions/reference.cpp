@@ -5,7 +5,7 @@
 #include "edgeproof/parallel/parallel_for.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/scene/run_scene.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgeproof/contact/axisymmetric/abel_integral.hpp"
+#include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/interruption.hpp"

@@ -2,9 +2,13 @@
 #pragma once
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
+#include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 #include "edgeproof/contact/enclosure/taylor_cover.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
+#include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/contact/slip/stick_zone.hpp"
+#include "edgeproof/formula/expr.hpp"
+#include "edgeproof/precision/ball/ball_series.hpp"
 #include "edgeproof/precision/ball/complex_box.hpp"
 
 #include <cstddef>
@@ -198,5 +202,48 @@ private:
 /// The gap (length) at the distance `beyond` >= 0 (length) outside the edge of an axisymmetric
 /// power law; `plane` is the plane contact that has the same pressure.
 [[nodiscard]] Ball axisymmetric_gap(const BallContact& plane, const Ball& beyond);
+
+/// A jump of g' at the radius v > 0 (length), of the size `jump`, and a change of its rate by
+/// `rate` (1/length).
+struct RingBend {
+    const Ball& v;
+    const Ball& jump;
+    const Ball& rate;
+};
+
+/// The part of a bend in pi p/E* at the radius r (docs/axisymmetric.md, "What is integrated"): the
+/// integral of h'(s) y/(s sqrt(x^2 + d2)) over 0 < x < X, as a series in the variable of `d2` and
+/// `X`, where y^2 = s^2 - v^2.
+/// @param bend the bend
+/// @param beyond true for r > v: x^2 = s^2 - r^2; false for r < v: x = y
+/// @param d2 |r^2 - v^2| (length^2), positive; 0 exactly for r = v, which counts as beyond
+/// @param X sqrt(a^2 - r^2), or sqrt(a^2 - v^2) for r < v (length)
+/// @param goal the accuracy
+[[nodiscard]] BallSeries part_of_bend(const RingBend& bend, bool beyond, const BallSeries& d2,
+                                      const BallSeries& X, const IntegralGoal& goal);
+
+/// A power law g'(r) = C r^m as a body of revolution (docs/axisymmetric.md, "Power laws"), exactly.
+struct AxisymmetricPowerLaw {
+    Expr C; ///< 1/length^m
+    Expr m;
+    Expr kappa; ///< delta = kappa a^(m + 1)
+
+    /// Throws InputError for a profile that is no power law.
+    [[nodiscard]] static AxisymmetricPowerLaw of(const Profile& profile);
+    /// The slope of the plane contact that has the same pressure for the same a.
+    [[nodiscard]] Profile plane() const;
+    /// The approach delta (length) for the radius a (length).
+    [[nodiscard]] Exact approach(const Exact& a) const;
+    /// The total force P for E* (stress) and the radius a (length).
+    [[nodiscard]] Exact force(const Exact& modulus, const Exact& a) const;
+    /// The radius a (length) for E* (stress) and the total force P.
+    [[nodiscard]] Exact radius(const Exact& modulus, const Exact& P) const;
+    /// The radius a (length) for the approach delta (length).
+    [[nodiscard]] Exact radius_at(const Exact& delta) const;
+
+private:
+    /// P/a^(m + 2).
+    [[nodiscard]] Expr force_factor(const Exact& modulus) const;
+};
 
 } // namespace edgeproof::contact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgeproof/contact/axisymmetric/axisymmetric_power_law.hpp"
+#include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/precision/error.hpp"
 
 namespace edgeproof::contact {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pressure of an axisymmetric contact, and its series.
-#include "edgeproof/contact/axisymmetric/abel_integral.hpp"
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"
@@ -75,8 +74,23 @@ Ball AxisymmetricContact::pressure(Edge edge, const Ball& u) const {
     return pressure(place_of(edge, u), false);
 }
 
+// For a range of r the integrand h'(s)/sqrt(s^2 - r^2), which is not negative, is at least that of
+// the least r, and the integral from the greatest r on is less than p: one integral, also next to a
+// corner.
 Ball AxisymmetricContact::least_pressure(Edge edge, const Ball& u) const {
-    return pressure(place_of(edge, u), true);
+    const Place at = place_of(edge, u);
+    const Ball lo = max(lower_end(at.r), Ball(0, bits_));
+    const Ball hi = upper_end(at.r);
+    if (linear_ || !certainly_less(lo, hi) || !certainly_less(hi, a_)) {
+        return pressure(at, true);
+    }
+    return modulus_ / Ball::pi(bits_) *
+           over_approach(
+               hi, {}, a_ - hi,
+               [&](const Radius& place, const Box& /*depth*/) {
+                   return Box(Ball(1, bits_)) / principal_root((place.s - lo) * (place.s + lo));
+               },
+               Ball(0, bits_));
 }
 
 Ball AxisymmetricContact::pressure(const Place& at, bool least) const {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/contact/curved/curved_slope.hpp"
 
-#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 #include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
-#include "edgeproof/precision/ball/acb_values.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
+#include "edgeproof/precision/ball/arb_values.hpp"
 #include "edgeproof/precision/ball/magnitude.hpp"
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 #include "edgeproof/contact/profile/slope.hpp"
 #include "edgeproof/contact/stress/cauchy_integral.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
-#include "edgeproof/precision/ball/acb_values.hpp"
+#include "edgeproof/precision/ball/arb_values.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/rigorous_integral.hpp"
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
-#include "edgeproof/precision/ball/acb_values.hpp"
+#include "edgeproof/precision/ball/arb_values.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -2,7 +2,7 @@
 #include "edgeproof/contact/curved/proved_slip.hpp"
 
 #include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 
 #include <utility>
 

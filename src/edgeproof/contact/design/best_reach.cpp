@@ -2,7 +2,7 @@
 #include "edgeproof/contact/design/best_reach.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 
-#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/stress/isolated_pair.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/contact/design/best_reach.hpp"
-#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
-#include "edgeproof/contact/enclosure/ball_values.hpp"
+#include "edgeproof/contact/enclosure/side_search.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/contact/design/error_family.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
-#include "edgeproof/precision/ball/acb_values.hpp"
 #include "edgeproof/precision/ball/arb_values.hpp"
 
 #include <algorithm>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/contact/design/best_reach.hpp"
-#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
-#include "edgeproof/contact/enclosure/ball_values.hpp"
-#include "edgeproof/contact/enclosure/isolate_zero.hpp"
+#include "edgeproof/contact/enclosure/side_search.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
@@ -22,7 +20,7 @@ constexpr long kept_bits = 24; ///< bits that are lost on the way to an exit
 constexpr double bits_of_the_costs = 192;
 constexpr long sample_bits = 96;
 constexpr int sample_points = 160;
-const Rational narrowest_interval(1, Integer(1) << 44); // NOLINT: no exception can matter here
+constexpr long narrowest = 44; ///< intervals are halved to 2^-44 of their distance from the edge
 
 void charge(EvaluationCount& count, double cost) {
     if (count.spent > count.most) {
@@ -49,99 +47,77 @@ ErrorOverBox counted(ErrorOverBox f, const EvaluationCost& cost, EvaluationCount
             std::move(length)};
 }
 
-/// The scan of one edge (docs/expansions.md).
-class ReachScan {
+/// The error at one edge as a function of the distance from it.
+class ErrorAtEdge {
 public:
-    ReachScan(const ErrorOverBox& f, const Rational& tolerance, const Rational& part, long bits)
-        : f_(f), bits_(bits), tolerance_(tolerance, bits),
-          end_(exact_value(Ball(f.length * Ball(part, bits)).lower())) {}
-
-    [[nodiscard]] ProvedReach run() {
-        Rational lo = from_edge();
-        while (lo < end_) {
-            Rational hi = exact_value(Ball(Rational(lo * Rational(5, 4)), 24).midpoint());
-            hi = std::min(hi, end_);
-            if (auto found = look(lo, hi)) {
-                return *found;
-            }
-            lo = hi;
-        }
-        return {f_.length * Ball(1, bits_), false, 0, 0};
+    ErrorAtEdge(const ErrorOverBox& f, const Rational& tolerance, long bits)
+        : f_(f), bits_(bits), tolerance_(tolerance, bits) {}
+    [[nodiscard]] const Ball& tolerance() const { return tolerance_; }
+    [[nodiscard]] Ball at(const Rational& u) const { return f_.at(Ball(u, bits_)); }
+    [[nodiscard]] Side side_at(const Rational& u) const { return side(at(u)); }
+    [[nodiscard]] std::pair<Ball, Ball> tangent(const Rational& u) const {
+        const BallSeries at = f_.along(Ball(u, bits_), Along::u);
+        return {at[0], at[1]};
     }
-
-private:
-    [[nodiscard]] bool within(const Ball& x) const {
-        return side_of(x, tolerance_) == Side::within;
-    }
-    [[nodiscard]] bool beyond(const Ball& x) const { return is_beyond(side_of(x, tolerance_)); }
-    /// Returns a distance up to which the error is within the tolerance, from the edge on.
-    [[nodiscard]] Rational from_edge() const {
-        Rational hi = end_ / 8;
-        for (int k = 0; k < most_halvings_at_edge; ++k) {
-            if (within(f_.at(Ball::hull(Ball(0, bits_), Ball(hi, bits_))))) {
-                return hi;
-            }
-            hi /= 2;
-        }
-        throw BudgetError("the error by the edge is not enclosed");
-    }
-    /// Returns the first exit in lo ... hi; f is within the tolerance at lo.
-    [[nodiscard]] std::optional<ProvedReach> look(const Rational& lo, const Rational& hi) {
+    [[nodiscard]] SideOver over(const Rational& lo, const Rational& hi) const {
         check_interruption();
         if (++intervals_ > most_intervals) {
             throw BudgetError("undecided after " + std::to_string(most_intervals) + " intervals");
         }
-        const Rational m = middle(lo, hi);
+        const Ball m(middle(lo, hi), bits_);
         const Ball whole = Ball::hull(Ball(lo, bits_), Ball(hi, bits_));
-        const Ball h = whole - Ball(m, bits_);
         const Ball bend = f_.along(whole, Along::u)[2]; // half the second derivative
-        if (bend.is_finite()) {
-            const BallSeries at = f_.along(Ball(m, bits_), Along::u);
-            if (within(at[0] + at[1] * h + bend * h * h)) {
-                return {};
-            }
-            const Ball rate = at[1] + bend * h * 2;
-            if (certainly_positive(rate) || certainly_negative(rate)) {
-                const Ball there = f_.at(Ball(hi, bits_));
-                if (within(there)) {
-                    return {};
-                }
-                if (beyond(there)) {
-                    return crossing(lo, hi, certainly_positive(there) ? 1 : -1);
-                }
-            }
-        } else if (within(f_.at(whole))) {
-            return {};
+        if (!bend.is_finite()) {
+            return {side(f_.at(whole)), false};
         }
-        if (hi - lo < narrowest_interval * hi) {
-            throw BudgetError("the error touches the tolerance near u = " +
-                              std::to_string(m.convert_to<double>()));
-        }
-        if (auto found = look(lo, m)) {
-            return found;
-        }
-        return look(m, hi);
+        const BallSeries at = f_.along(m, Along::u);
+        const Ball h = whole - m;
+        const Ball rate = at[1] + bend * h * 2;
+        return {side(at[0] + at[1] * h + bend * h * h),
+                certainly_positive(rate) || certainly_negative(rate)};
     }
-    /// Encloses the exit in lo ... hi, where f is monotone, within the tolerance at lo and beyond
-    /// it at hi.
-    [[nodiscard]] ProvedReach crossing(const Rational& lo, const Rational& hi, int side) const {
-        const Ball level = side > 0 ? tolerance_ : -tolerance_;
-        const auto place = enclosed_crossing(
-            {lo, hi, side > 0}, bits_, kept_bits,
-            [&](const Rational& u) {
-                const BallSeries at = f_.along(Ball(u, bits_), Along::u);
-                return std::pair(at[0] - level, at[1]);
-            },
-            [&](const Rational& u) { return f_.at(Ball(u, bits_)) - level; });
-        return {place ? *place : Ball::hull(Ball(lo, bits_), Ball(hi, bits_)), true, 0, side};
+    /// Returns a distance up to which the error is within the tolerance, from the edge on, at most
+    /// `hi`.
+    [[nodiscard]] Rational safe_distance(Rational hi) const {
+        for (int k = 0; k < most_halvings_at_edge; ++k, hi /= 2) {
+            if (side(f_.at(Ball::hull(Ball(0, bits_), Ball(hi, bits_)))) == Side::within) {
+                return hi;
+            }
+        }
+        throw BudgetError("the error by the edge is not enclosed");
     }
+
+private:
+    [[nodiscard]] Side side(const Ball& x) const { return side_of(x, tolerance_); }
 
     const ErrorOverBox& f_;
     long bits_;
     Ball tolerance_;
-    Rational end_;
-    std::size_t intervals_ = 0;
+    mutable std::size_t intervals_ = 0;
 };
+
+/// The first exit at one edge (docs/expansions.md).
+ProvedReach first_exit(const ErrorOverBox& error, const Rational& tolerance, const Rational& part,
+                       long bits) {
+    const ErrorAtEdge f(error, tolerance, bits);
+    const Rational end = exact_value(Ball(error.length * Ball(part, bits)).lower());
+    ProvedReach found{error.length * Ball(part, bits), false, 0, 0};
+    for_each_side_outwards(
+        f, f.safe_distance(end / 8), end, narrowest, [&](const SidePiece& piece) {
+            if (piece.to == Side::within) { // as it is at the beginning of the piece
+                return true;
+            }
+            if (!piece.root) {
+                throw BudgetError("the error touches the tolerance near u = " +
+                                  std::to_string(piece.lo.convert_to<double>()));
+            }
+            const auto place = enclosed_crossing(f, piece, bits, kept_bits);
+            found = {place ? *place : Ball::hull(Ball(piece.lo, bits), Ball(piece.hi, bits)), true,
+                     0, *piece.root};
+            return false;
+        });
+    return found;
+}
 
 } // namespace
 
@@ -167,15 +143,11 @@ ProvedReach proved_reach(const ReachProblem& problem, const Ball& parameter) {
     const auto errors = problem.over(parameter);
     std::optional<ProvedReach> least;
     for (std::size_t i = 0; i < errors.size(); ++i) {
-        const Ball& length = errors[i].length;
-        if (!length.is_finite()) {
+        if (!errors[i].length.is_finite()) {
             throw BudgetError("the edges of the contact are not enclosed");
         }
-        ProvedReach here = ReachScan(errors[i], problem.tolerance, problem.part, bits).run();
+        ProvedReach here = first_exit(errors[i], problem.tolerance, problem.part, bits);
         here.edge = i;
-        if (!here.leaves) {
-            here.reach = length * Ball(problem.part, bits);
-        }
         if (!least || certainly_less(here.reach, least->reach)) {
             least = std::move(here);
         } else if (overlaps(here.reach, least->reach) && here.leaves) {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/contact/enclosure/ball_extent.hpp"
 
-#include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_relative_error.hpp"
-#include "edgeproof/contact/enclosure/isolate_zero.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
@@ -19,7 +17,32 @@ constexpr long scan_bits_of_integrals = 96; ///< which cost more at more bits
 constexpr long narrowest = 40; ///< intervals are halved to 2^-40 of their distance from the edge
 constexpr long kept_bits = 48; ///< bits that are lost on the way to a crossing
 
+/// Adds pieces to a list.
+auto into(std::vector<SidePiece>& pieces) {
+    return [&pieces](SidePiece piece) {
+        pieces.push_back(std::move(piece));
+        return true;
+    };
+}
+
 } // namespace
+
+/// The error, with its enclosures over intervals and its tangents counted.
+struct BallExtentSearch::Counted {
+    const RelativeError& f;
+    BallExtentSearch& search;
+    [[nodiscard]] const Ball& tolerance() const { return f.tolerance(); }
+    [[nodiscard]] Ball at(const Rational& u) const { return f.at(u); }
+    [[nodiscard]] Side side_at(const Rational& u) const { return f.side_at(u); }
+    [[nodiscard]] SideOver over(const Rational& lo, const Rational& hi) const {
+        search.count(f);
+        return f.over(lo, hi);
+    }
+    [[nodiscard]] std::pair<Ball, Ball> tangent(const Rational& u) const {
+        search.count(f);
+        return f.tangent(u);
+    }
+};
 
 RelativeError BallExtentSearch::error(long bits) {
     const ProvedContact& contact = contact_(bits);
@@ -36,9 +59,9 @@ void BallExtentSearch::count(const RelativeError& f) {
     }
 }
 
-void BallExtentSearch::merge_unknown(std::vector<Piece>& pieces) {
-    std::vector<Piece> merged;
-    for (Piece& piece : pieces) {
+void BallExtentSearch::merge_unknown(std::vector<SidePiece>& pieces) {
+    std::vector<SidePiece> merged;
+    for (SidePiece& piece : pieces) {
         const bool unknown = piece.from == Side::unknown;
         if (!merged.empty() && unknown && merged.back().from == Side::unknown) {
             merged.back().hi = piece.hi;
@@ -74,12 +97,7 @@ void BallExtentSearch::scan() {
                 pieces_.push_back({lo, stop, Side::within, Side::within, {}});
                 lo = stop;
             }
-            while (lo < end) {
-                Rational hi = exact_value(Ball(Rational(lo * Rational(5, 4)), 24).midpoint());
-                hi = hi >= end ? end : hi;
-                decide(f, lo, hi, narrowest, pieces_);
-                lo = hi;
-            }
+            for_each_side_outwards(Counted{f, *this}, lo, end, narrowest, into(pieces_));
             merge_unknown(pieces_);
             return;
         } catch (const BudgetError&) {
@@ -90,69 +108,17 @@ void BallExtentSearch::scan() {
     }
 }
 
-bool BallExtentSearch::roots_between(const RelativeError& f, const Rational& lo, const Rational& hi,
-                                     std::vector<Piece>& pieces) {
-    const Side from = f.side(f.at(lo));
-    const Side to = f.side(f.at(hi));
-    if (from == Side::unknown || to == Side::unknown) {
-        return false;
-    }
-    if (from == to) {
-        pieces.push_back({lo, hi, from, to, {}});
-        return true;
-    }
-    if (from == Side::within || to == Side::within) {
-        const Side outside = from == Side::within ? to : from;
-        pieces.push_back({lo, hi, from, to, outside == Side::above ? 1 : -1});
-        return true;
-    }
-    // Both levels are crossed: halving separates them.
-    return false;
-}
-
-void BallExtentSearch::decide(const RelativeError& f, const Rational& lo, const Rational& hi,
-                              long finest, std::vector<Piece>& pieces) {
-    count(f);
-    const RelativeError::Over over = f.over(lo, hi);
-    if (over.side != Side::unknown) {
-        pieces.push_back({lo, hi, over.side, over.side, {}});
-        return;
-    }
-    if (over.monotone && roots_between(f, lo, hi, pieces)) {
-        return;
-    }
-    if ((hi - lo) * power_of_two(finest) < hi) {
-        pieces.push_back({lo, hi, Side::unknown, Side::unknown, {}});
-        return;
-    }
-    const Rational m = middle(lo, hi);
-    decide(f, lo, m, finest, pieces);
-    decide(f, m, hi, finest, pieces);
-}
-
-Ball BallExtentSearch::refine(const RelativeError& f, const Piece& piece) {
-    const Ball level = *piece.root > 0 ? f.tolerance() : -f.tolerance();
-    const auto place = enclosed_crossing(
-        {piece.lo, piece.hi, piece.from < piece.to}, f.bits(), kept_bits,
-        [&](const Rational& u) {
-            count(f);
-            const auto [value, rate] = f.tangent(u);
-            return std::pair(value - level, rate);
-        },
-        [&](const Rational& u) { return f.at(u) - level; });
-    return place ? *place : Ball::hull(Ball(piece.lo, f.bits()), Ball(piece.hi, f.bits()));
-}
-
 EnclosedExtents BallExtentSearch::at(long bits) {
     if (pieces_.empty()) {
         scan();
     }
     const RelativeError f = error(bits);
+    const Counted counted{f, *this};
     // The pieces that the scan did not decide are examined again at this number of bits.
-    std::vector<Piece> pieces;
-    for (const Piece& piece : pieces_) {
+    std::vector<SidePiece> pieces;
+    for (const SidePiece& piece : pieces_) {
         if (piece.from == Side::unknown) {
-            decide(f, piece.lo, piece.hi, bits - kept_bits, pieces);
+            for_each_side(counted, piece.lo, piece.hi, bits - kept_bits, into(pieces));
         } else {
             pieces.push_back(piece);
         }
@@ -186,12 +152,13 @@ EnclosedExtents BallExtentSearch::at(long bits) {
         }
     };
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const Piece& piece = pieces[i];
+        const SidePiece& piece = pieces[i];
         if (!piece.root && piece.from != Side::unknown) {
             continue;
         }
-        const Ball place =
-            piece.root ? refine(f, piece) : Ball::hull(Ball(piece.lo, bits), Ball(piece.hi, bits));
+        const auto root =
+            piece.root ? enclosed_crossing(counted, piece, bits, kept_bits) : std::nullopt;
+        const Ball place = root ? *root : Ball::hull(Ball(piece.lo, bits), Ball(piece.hi, bits));
         std::size_t times = 1;
         if (!piece.root) {
             const bool inner = i > 0 && i + 1 < pieces.size();

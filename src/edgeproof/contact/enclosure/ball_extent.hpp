@@ -55,26 +55,12 @@ public:
     static constexpr std::size_t most_evaluations = 60'000;
 
 private:
-    /// An interval with a decision: all on one side, a root of f = level (f monotone), or
-    /// undecided.
-    struct Piece {
-        Rational lo;
-        Rational hi;
-        Side from;
-        Side to;
-        std::optional<int> root; ///< +1: a root of f = tolerance, -1: of f = -tolerance
-    };
+    struct Counted;
     [[nodiscard]] RelativeError error(long bits);
     void count(const RelativeError& f);
     void scan();
-    void decide(const RelativeError& f, const Rational& lo, const Rational& hi, long finest,
-                std::vector<Piece>& pieces);
-    bool roots_between(const RelativeError& f, const Rational& lo, const Rational& hi,
-                       std::vector<Piece>& pieces);
-    /// The place where f is equal to the level of a root.
-    [[nodiscard]] Ball refine(const RelativeError& f, const Piece& piece);
     /// Joins undecided pieces that are adjacent.
-    static void merge_unknown(std::vector<Piece>& pieces);
+    static void merge_unknown(std::vector<SidePiece>& pieces);
 
     Contact contact_;
     Edge edge_;
@@ -82,8 +68,8 @@ private:
     Exact tolerance_;
     ExtentRange range_;
     std::size_t evaluations_ = 0;
-    int most_doublings_ = 5;    ///< of the bits of the scan, before it gives up
-    std::vector<Piece> pieces_; ///< of the scan; adjacent undecided pieces are joined
+    int most_doublings_ = 5;        ///< of the bits of the scan, before it gives up
+    std::vector<SidePiece> pieces_; ///< of the scan; adjacent undecided pieces are joined
 };
 
 } // namespace edgeproof::contact

@@ -36,6 +36,19 @@ namespace edgeproof::contact {
     return k < 0 ? Rational(1, p) : Rational(p);
 }
 
+/// The rational number that is equal to x.
+[[nodiscard]] inline Rational exact_value(const Real& x) {
+    Rational q;
+    mpfr_get_q(q.backend().data(), x.backend().data());
+    return q;
+}
+/// A rational number with few digits in the interval, near its middle.
+[[nodiscard]] inline Rational middle(const Rational& lo, const Rational& hi) {
+    const Ball m(Rational((lo + hi) / 2), 64);
+    const Rational near = exact_value(m.midpoint());
+    return near > lo && near < hi ? near : Rational((lo + hi) / 2);
+}
+
 /// The rational number with the smallest denominator from lo to hi.
 [[nodiscard]] inline Rational simplest_between(const Rational& lo, const Rational& hi) {
     FmpqValue simplest;

@@ -2,7 +2,6 @@
 #include "edgeproof/contact/enclosure/exact_contact.hpp"
 
 #include "edgeproof/algebra/identity.hpp"
-#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/law/edge_expansion.hpp"

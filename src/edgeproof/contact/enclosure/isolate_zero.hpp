@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "edgeproof/contact/enclosure/ball_relative_error.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/error.hpp"
@@ -118,57 +117,6 @@ Ball isolate_zero(const F& f, const Rate& rate, const Ball& start, const char* w
     constexpr long bits_lost = 12;
     return prove_zero(f, rate,
                       approximate_zero(f, rate, start, what, start.bits() - bits_lost, near), what);
-}
-
-/// A place between lo and hi at which a function crosses zero; between them it is monotone.
-struct Crossing {
-    Rational lo;
-    Rational hi;
-    bool rises; ///< from negative to positive
-};
-
-/// The place of a crossing at a precision of `bits`. Newton's method finds it and proves nothing;
-/// then two places with opposite signs enclose it (docs/expansions.md), at least 2^-(bits - kept)
-/// times the place away from it. `tangent(x)` returns the function and its derivative, `at(x)` the
-/// function. Returns nothing if the bits do not decide the signs.
-template <class Tangent, class At>
-std::optional<Ball> enclosed_crossing(const Crossing& of, long bits, long kept,
-                                      const Tangent& tangent, const At& at) {
-    Rational lo = of.lo;
-    Rational hi = of.hi;
-    Rational x = (lo + hi) / 2;
-    for (int k = 0; k < 200; ++k) {
-        const auto [value, rate] = tangent(x);
-        if (!contains_zero(value)) {
-            (certainly_positive(value) == of.rises ? hi : lo) = x;
-        }
-        const Ball step = value / rate;
-        Rational next = (lo + hi) / 2;
-        if (step.is_finite()) {
-            const Rational newton = exact_value(Ball(Ball(x, bits) - step).midpoint());
-            const bool refined = abs(Rational(newton - x)) * power_of_two(bits - 24) < hi;
-            if (newton >= lo && newton <= hi) {
-                next = newton;
-            }
-            if (refined || contains_zero(value)) {
-                x = next;
-                break;
-            }
-        }
-        x = exact_value(Ball(next, bits).midpoint());
-    }
-    for (long k = bits - kept; k > 8; k -= 16) {
-        const Rational slack = hi * power_of_two(-k);
-        const Rational left = std::max(of.lo, Rational(x - slack));
-        const Rational right = std::min(of.hi, Rational(x + slack));
-        const Ball at_left = at(left);
-        const Ball at_right = at(right);
-        if (of.rises ? certainly_negative(at_left) && certainly_positive(at_right)
-                     : certainly_positive(at_left) && certainly_negative(at_right)) {
-            return Ball::hull(Ball(left, bits), Ball(right, bits));
-        }
-    }
-    return {};
 }
 
 } // namespace edgeproof::contact

@@ -4,7 +4,6 @@
 #include "edgeproof/contact/law/linear_measure.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/contact/profile/profile.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/ball/ball_series.hpp"

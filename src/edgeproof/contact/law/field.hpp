@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "edgeproof/precision/arithmetic.hpp"
+#include "edgeproof/precision/real.hpp"
 #include "edgeproof/series/truncated.hpp"
 
 #include <cmath>

@@ -2,9 +2,9 @@
 #include "edgeproof/contact/profile/profile.hpp"
 
 #include "edgeproof/contact/profile/slope.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 
 #include <string>
 

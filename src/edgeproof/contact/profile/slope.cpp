@@ -3,7 +3,7 @@
 
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
 #include "edgeproof/formula/evaluation/evaluate.hpp"
-#include "edgeproof/precision/ball/acb_values.hpp"
+#include "edgeproof/precision/ball/arb_values.hpp"
 #include "edgeproof/precision/error.hpp"
 
 namespace edgeproof::contact {

@@ -2,9 +2,9 @@
 #pragma once
 #include "edgeproof/contact/profile/profile.hpp"
 #include "edgeproof/formula/expr.hpp"
-#include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/ball/complex_box.hpp"
+#include "edgeproof/precision/real.hpp"
 
 #include <cstddef>
 #include <optional>

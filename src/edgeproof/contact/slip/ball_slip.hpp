@@ -4,7 +4,6 @@
 #include "edgeproof/contact/enclosure/proved_contact.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
-#include "edgeproof/contact/slip/slip_series.hpp"
 #include "edgeproof/contact/slip/stick_zone.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 
@@ -13,6 +12,25 @@
 #include <vector>
 
 namespace edgeproof::contact {
+
+/// The sizes of the slip zones as power series in the load ratio tau = |Q|/(f P), with P and
+/// sigma_0/Q held: d = kappa_1 tau + kappa_2 tau^2 + ... (lengths); element 0 is kappa_1.
+struct SlipSeries {
+    std::vector<Ball> right;
+    std::vector<Ball> left;
+};
+
+/// The first `terms` coefficients at both edges, enclosed, from the expansions of p there
+/// (docs/partial-slip.md, "The series"). `right` and `left` are the coefficients c_0, c_1, ... of
+/// p, at least `terms` of each; `length` D = a + b; `lead` = 2 P/(pi sqrt(D)); `tension` =
+/// P (sigma_0/Q)/(4 sqrt(D)). The first term gives d_1 = 2 s_0/(f c_0). The work grows like
+/// terms^4.
+[[nodiscard]] SlipSeries slip_series(const std::vector<Ball>& right, const std::vector<Ball>& left,
+                                     const Ball& length, const Ball& lead, const Ball& tension,
+                                     std::size_t terms);
+
+/// The sum of the first n terms at the load ratio tau, by Horner's rule (a length).
+[[nodiscard]] Ball slip_sum(const std::vector<Ball>& kappa, std::size_t n, const Ball& tau);
 
 /// The state of a place: it sticks or slips.
 enum class SlipState { stick, slip, undecided };
@@ -103,7 +121,7 @@ public:
     /// `x`: the place, if it is known exactly.
     [[nodiscard]] Ball traction(Edge edge, const Ball& u, const Ball& p,
                                 const std::optional<Exact>& x) const;
-    /// Returns kappa_1 ... kappa_terms (slip_series.hpp; of an axisymmetric contact
+    /// Returns kappa_1 ... kappa_terms (SlipSeries; of an axisymmetric contact
     /// docs/axisymmetric.md, "Partial slip").
     [[nodiscard]] SlipSeries series(std::size_t terms) const;
     [[nodiscard]] const ZoneSolver& zones() const { return zones_; }

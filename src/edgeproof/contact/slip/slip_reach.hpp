@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "edgeproof/contact/enclosure/side_search.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/contact/slip/ball_slip.hpp"
 #include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 
 namespace edgeproof::contact {
 
@@ -43,8 +45,6 @@ private:
     class Error;
     /// Finds an interval in which the tolerance is left, or proves that there is none.
     void scan();
-    /// True if the error is proved to be within the tolerance from 0 to `tau`.
-    [[nodiscard]] bool within_from_the_start(const Error& f, const Rational& tau) const;
     /// Counts `cost` stick zones; throws BudgetError when the budget is used up.
     void count(std::size_t cost);
 
@@ -54,10 +54,7 @@ private:
     Exact tolerance_;
     std::size_t zones_ = 0;
     bool scanned_ = false;
-    bool leaves_ = true;
-    int side_ = 1; ///< 1: the upper limit of the tolerance is crossed; -1: the lower one
-    Rational lo_;  ///< within the tolerance up to here
-    Rational hi_;  ///< beyond the tolerance here; d_n/d is monotone from lo_
+    std::optional<SidePiece> exit_; ///< where the tolerance is left
 };
 
 } // namespace edgeproof::contact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgeproof/contact/slip/slip_series.hpp"
+#include "edgeproof/contact/slip/ball_slip.hpp"
 
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/precision/ball/ball_series.hpp"

@@ -3,22 +3,17 @@
 
 #include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"
-#include "edgeproof/contact/enclosure/isolate_zero.hpp"
+#include "edgeproof/contact/enclosure/interval_maximum.hpp"
 #include "edgeproof/contact/enclosure/rigorous_integral.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
 
+#include <map>
 #include <optional>
-#include <vector>
+#include <utility>
 
 namespace edgeproof::contact {
-namespace {
-
-constexpr std::size_t most_intervals = 2000;
-
-} // namespace
-
 AxisymmetricStress::AxisymmetricStress(const ProvedContact& contact, const Ball& force,
                                        const Ball& poisson)
     : contact_(contact), of_revolution_(dynamic_cast<const AxisymmetricContact*>(&contact)),
@@ -51,10 +46,6 @@ Ball AxisymmetricStress::moment(const Ball& w, long n) const {
         },
         [&](long k) { return pow_int(a, k) * of_power(Ball(k, w.bits())); },
         w.relative_accuracy_bits());
-}
-
-Ball AxisymmetricStress::moment_between(const Ball& lo, const Ball& hi, long n) const {
-    return Ball::hull(moment(lo, n), moment(hi, n));
 }
 
 Ball AxisymmetricStress::on_axis_below(const Ball& S) const {
@@ -143,124 +134,88 @@ StressState AxisymmetricStress::on_surface(const Ball& radius,
     return {spread - p, -p, Ball(0, bits), spread / 2, -spread - poisson_ * p * 2};
 }
 
-Ball AxisymmetricStress::shear(const Ball& z) const {
-    const Ball w = z * z;
-    return contact_.modulus() / (Ball::pi(z.bits()) * 2) *
-           (moment(w, 1) * (Ball(1, z.bits()) / 2 - poisson_) + w * moment(w, 2) * 3);
-}
+/// tau_max on the axis as a function of w = z^2 (docs/axisymmetric.md, "Stresses"), where each F_n
+/// decreases with w.
+class AxisymmetricStress::ShearOnAxis {
+public:
+    explicit ShearOnAxis(const AxisymmetricStress& stress)
+        : stress_(stress), nu_(stress.poisson_), a_(stress.contact_.a()),
+          scale_(stress.contact_.modulus() / (Ball::pi(bits()) * 2)),
+          on_surface_(stress.on_axis_below(a_)) {}
+    [[nodiscard]] long bits() const { return stress_.contact_.bits(); }
+    /// tau_max falls beyond this depth, since z^2 F_3/F_2 is a mean of z^2/(s^2 + z^2).
+    [[nodiscard]] Rational end() const {
+        return exact_value(Ball(a_ * a_ * (nu_ * 2 + 5) / (7 - nu_ * 2) * 2).upper());
+    }
+    [[nodiscard]] Ball value(const Ball& w) const {
+        return scale_ * (of_A() * F(1, w) + w * F(2, w) * 3);
+    }
+    [[nodiscard]] Ball slope(const Ball& w) const {
+        return scale_ / 2 * (F(2, w) * (nu_ * 2 + 5) - w * F(3, w) * 12);
+    }
+    [[nodiscard]] Ball bend(const Ball& w) const {
+        return scale_ / 2 * (w * F(4, w) * 36 - F(3, w) * (nu_ * 4 + 22));
+    }
+    [[nodiscard]] Ball bound(const Rational& lo, const Rational& hi) const {
+        const Ball w(hi, bits());
+        if (lo > 0) {
+            const Ball from(lo, bits());
+            return scale_ * (of_A() * F(1, from) + w * F(2, from) * 3);
+        }
+        // s^2 z^2/(s^2 + z^2)^2 is at most 1/4, and at most z^2/s^2.
+        const Ball S = middle(min(sqrt(sqrt(w) * a_), a_));
+        return scale_ * (of_A() * on_surface_ +
+                         (stress_.on_axis_below(S) / 4 + w / (S * S) * on_surface_) * 3);
+    }
+    [[nodiscard]] Rational between(const Rational& lo, const Rational& hi) const {
+        return lo > 0
+                   ? exact_value(sqrt(Ball(lo, bits()) * Ball(hi, bits())).with_bits(53).midpoint())
+                   : Rational(hi / 64);
+    }
+    [[nodiscard]] bool count() const {
+        check_interruption();
+        return ++counted_ < most_evaluations;
+    }
 
-Ball AxisymmetricStress::slope(const Ball& lo, const Ball& hi) const {
-    return moment_between(lo, hi, 2) * (poisson_ * 2 + 5) -
-           Ball::hull(lo, hi) * moment_between(lo, hi, 3) * 12;
-}
+private:
+    static constexpr std::size_t most_evaluations = 2000;
 
-/// A depth with the integrals there.
-struct AxisymmetricStress::AxisPoint {
-    Ball z;
-    Ball w;
-    Ball F1;
-    Ball F2;
-    Ball F3;
-    Ball tau; ///< tau_max 2 pi/E*
+    [[nodiscard]] Ball of_A() const { return Ball(1, bits()) / 2 - nu_; }
+    /// F_n; those of exact places are kept.
+    [[nodiscard]] Ball F(long n, const Ball& w) const {
+        if (!w.is_exact()) {
+            return Ball::hull(F(n, lower_end(w)), F(n, upper_end(w)));
+        }
+        if (!certainly_positive(w)) {
+            return unknown_ball(bits());
+        }
+        std::optional<Ball>& known = known_[{n, w.midpoint()}];
+        if (!known) {
+            known = stress_.moment(w, n);
+        }
+        return *known;
+    }
+
+    const AxisymmetricStress& stress_;
+    Ball nu_;
+    Ball a_;
+    Ball scale_;
+    Ball on_surface_;
+    mutable std::map<std::pair<long, Real>, std::optional<Ball>> known_;
+    mutable std::size_t counted_ = 0;
 };
 
-// With D = (5 + 2 nu) F_2 - 12 z^2 F_3, d tau_max/dz = E* z D/(2 pi). Each F_n decreases with z.
 AxisymmetricStress::Greatest AxisymmetricStress::greatest_on_axis() const {
-    const long bits = contact_.bits();
     if (apex_) {
         throw DomainError("the stress is infinite at the apex of the profile");
     }
-    const Ball& a = contact_.a();
-    const Ball of_A = Ball(1, bits) / 2 - poisson_;
-    const Ball of_D = poisson_ * 2 + 5;
-    const auto at = [&](const Ball& depth) {
-        const Ball z = middle(depth);
-        const Ball w = z * z;
-        AxisPoint p{z, w, moment(w, 1), moment(w, 2), moment(w, 3), Ball(0, bits)};
-        p.tau = of_A * p.F1 + w * p.F2 * 3;
-        return p;
-    };
-    // z^2 F_3/F_2 is a mean of z^2/(s^2 + z^2), so that D < 0 beyond this depth.
-    const Ball deepest = upper_end(a * sqrt(of_D / (7 - poisson_ * 2))) * 2;
-    const Ball on_surface = on_axis_below(a);
-    struct Interval {
-        std::optional<AxisPoint> lo; ///< nothing: z = 0
-        AxisPoint hi;
-        bool zero = false; ///< D has exactly one zero in it, and falls there
-    };
-    std::vector<Interval> open{{{}, at(deepest)}};
-    Ball best = of_A * on_surface;
-    Greatest found;
-    const auto greatest = [&](const Interval& i) {
-        const Ball hi2 = i.hi.w * 3;
-        if (i.lo) {
-            return of_A * i.lo->F1 + hi2 * i.lo->F2;
-        }
-        // s^2 z^2/(s^2 + z^2)^2 is at most 1/4, and at most z^2/s^2.
-        const Ball S = middle(min(sqrt(i.hi.z * a), a));
-        return of_A * on_surface + (on_axis_below(S) / 4 + i.hi.w / (S * S) * on_surface) * 3;
-    };
-    const auto slope_in = [&](const Interval& i) {
-        return of_D * Ball::hull(i.lo->F2, i.hi.F2) -
-               Ball::hull(i.lo->w, i.hi.w) * Ball::hull(i.lo->F3, i.hi.F3) * 12;
-    };
-    std::vector<Interval> next;
-    while (!(open.size() == 1 && open.front().zero)) {
-        next.clear();
-        for (Interval& interval : open) {
-            check_interruption();
-            if (++found.intervals > most_intervals) {
-                throw BudgetError("branch and bound does not decide at which depth tau_max on the "
-                                  "axis is greatest");
-            }
-            if (certainly_less(greatest(interval), best)) {
-                continue;
-            }
-            if (interval.lo) {
-                if (!contains_zero(slope_in(interval))) {
-                    continue; // tau_max has no maximum there
-                }
-                const Ball F4 = moment_between(interval.lo->w, interval.hi.w, 4);
-                const Ball w = Ball::hull(interval.lo->w, interval.hi.w);
-                const Ball F3 = Ball::hull(interval.lo->F3, interval.hi.F3);
-                interval.zero = certainly_negative(w * F4 * 36 - F3 * (poisson_ * 4 + 22)) &&
-                                certainly_positive(slope(interval.lo->w, interval.lo->w)) &&
-                                certainly_negative(slope(interval.hi.w, interval.hi.w));
-                if (interval.zero) {
-                    next.push_back(std::move(interval));
-                    continue;
-                }
-            }
-            const AxisPoint middle_point =
-                at(interval.lo ? sqrt(interval.lo->z * interval.hi.z) : interval.hi.z / 8);
-            best = max(best, lower_end(middle_point.tau));
-            next.push_back({interval.lo, middle_point});
-            next.push_back({middle_point, interval.hi});
-        }
-        open.swap(next);
-        if (open.empty()) {
-            throw BudgetError("the bits do not suffice for the greatest tau_max on the axis");
-        }
+    const ShearOnAxis shear(*this);
+    const IntervalMaximum found = greatest_on_interval(shear, shear.end(), 1);
+    if (!found.place) {
+        throw BudgetError("branch and bound does not decide at which depth tau_max on the axis is "
+                          "greatest");
     }
-    const Interval& one = open.front();
-    const Ball w =
-        isolate_zero([&](const Ball& x) { return slope(x, x); },
-                     [&](const Ball& x) {
-                         const Ball lo = lower_end(x);
-                         const Ball hi = upper_end(x);
-                         return Ball::hull(lo, hi) * moment_between(lo, hi, 4) * 36 -
-                                moment_between(lo, hi, 3) * (poisson_ * 4 + 22);
-                     },
-                     middle(sqrt(one.lo->w * one.hi.w)), "the depth of the greatest tau_max");
-    if (!certainly_less(one.lo->w, w) || !certainly_less(w, one.hi.w)) {
-        throw BudgetError("the search for the depth of the greatest tau_max found another one");
-    }
-    found.z = sqrt(w);
-    const Ball z = middle(found.z);
-    const Ball change = contact_.modulus() / (Ball::pi(bits) * 2) * found.z *
-                        slope(lower_end(w), upper_end(w)) * (found.z - z);
-    found.value = shear(z) + Ball::hull(-change, change);
-    return found;
+    return {sqrt(*found.place), found.value, found.intervals};
 }
 
 } // namespace edgeproof::contact

@@ -39,16 +39,11 @@ public:
     [[nodiscard]] Greatest greatest_on_axis() const;
 
 private:
-    struct AxisPoint;
+    class ShearOnAxis;
     /// The integral of h'(s) s/(s^2 + w)^n over the approach (1/length^(2n - 2)); decreases with w.
     [[nodiscard]] Ball moment(const Ball& w, long n) const;
-    [[nodiscard]] Ball moment_between(const Ball& lo, const Ball& hi, long n) const;
     /// The integral of h'(s)/s over 0 < s < S <= a: pi p/E* on the axis if the radius is S.
     [[nodiscard]] Ball on_axis_below(const Ball& S) const;
-    /// The factor z E*/(2 pi) of d tau_max/dz is positive; this is the other one, for w = z^2.
-    [[nodiscard]] Ball slope(const Ball& lo, const Ball& hi) const;
-    [[nodiscard]] Ball shear(const Ball& z) const;
-
     const ProvedContact& contact_;
     const AxisymmetricContact* of_revolution_; ///< null for a power law
     bool apex_ = false;                        ///< g' jumps on the axis

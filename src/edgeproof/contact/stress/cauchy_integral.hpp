@@ -23,4 +23,11 @@ namespace edgeproof::contact {
 [[nodiscard]] CauchyIntegral cauchy_integral(const Extent<Ball>& e, const ShearLoad<Ball>& load,
                                              const Box& zeta);
 
+/// Returns the potential of the traction under full stick (law/shear.hpp). Enclosed.
+/// @param e the contact
+/// @param load Q (force/length) and sigma_0 (stress)
+/// @param x the place (length)
+[[nodiscard]] SurfacePotential surface_potential(const Extent<Ball>& e, const ShearLoad<Ball>& load,
+                                                 const Ball& x);
+
 } // namespace edgeproof::contact

@@ -2,7 +2,7 @@
 #include "edgeproof/contact/stress/edge_stress.hpp"
 
 #include "edgeproof/contact/enclosure/rigorous_integral.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgeproof/contact/stress/surface_gap.hpp"
+#include "edgeproof/contact/stress/cauchy_integral.hpp"
 
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"

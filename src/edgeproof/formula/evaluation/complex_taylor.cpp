@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/formula/evaluation/complex_taylor.hpp"
 
-#include "edgeproof/precision/ball/acb_values.hpp"
+#include "edgeproof/precision/ball/arb_values.hpp"
 #include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/precision/error.hpp"
 

@@ -4,7 +4,7 @@
 #include "edgeproof/formula/expr.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 
 #include <concepts>
 #include <functional>

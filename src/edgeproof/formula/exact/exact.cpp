@@ -2,7 +2,6 @@
 #include "edgeproof/formula/exact/exact.hpp"
 
 #include "edgeproof/formula/evaluation/evaluate.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
 #include "edgeproof/formula/parse.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/message.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 
 #include <flint/fmpq.h>
 #include <flint/fmpz.h>
@@ -9,12 +9,20 @@
 #ifdef EDGEPROOF_ARB_IN_FLINT
 #include <mpfr.h> // first: with it, <flint/arf.h> declares conversions to and from mpfr_t
 
+#include <flint/acb.h>
+#include <flint/acb_calc.h>
+#include <flint/acb_hypgeom.h>
+#include <flint/acb_poly.h>
 #include <flint/arb.h>
 #include <flint/arb_hypgeom.h>
 #include <flint/arb_poly.h>
 #include <flint/arf.h>
 #include <flint/mag.h>
 #else
+#include <acb.h>
+#include <acb_calc.h>
+#include <acb_hypgeom.h>
+#include <acb_poly.h>
 #include <arb.h>
 #include <arb_hypgeom.h>
 #include <arb_poly.h>
@@ -62,12 +70,18 @@ private:
         static void swap(Struct* x, Struct* y) { name##_swap(x, y); }                              \
     };
 EDGEPROOF_FLINT_TYPE(arb_struct, arb)
+EDGEPROOF_FLINT_TYPE(arb_poly_struct, arb_poly)
+EDGEPROOF_FLINT_TYPE(acb_struct, acb)
+EDGEPROOF_FLINT_TYPE(acb_poly_struct, acb_poly)
 EDGEPROOF_FLINT_TYPE(arf_struct, arf)
 EDGEPROOF_FLINT_TYPE(mag_struct, mag)
 EDGEPROOF_FLINT_TYPE(fmpz, fmpz)
 EDGEPROOF_FLINT_TYPE(fmpq, fmpq)
 
 using ArbValue = FlintValue<arb_struct>;
+using ArbPolyValue = FlintValue<arb_poly_struct>;
+using AcbValue = FlintValue<acb_struct>;
+using AcbPolyValue = FlintValue<acb_poly_struct>;
 using ArfValue = FlintValue<arf_struct>;
 using MagValue = FlintValue<mag_struct>;
 using FmpzValue = FlintValue<fmpz>;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "edgeproof/precision/ball/ball.hpp"
-#include "edgeproof/precision/rational.hpp"
 #include "edgeproof/precision/real.hpp"
 
 #include <iosfwd>

@@ -2,8 +2,8 @@
 #include "edgeproof/report/figures/scene_figure.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/binary64_values.hpp"
 #include "edgeproof/scene/run_scene.hpp"
-#include "edgeproof/scene/stress_estimates.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgeproof/report/tables/table_in_parts.hpp"
 
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/precision/error.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-#include "edgeproof/contact/axisymmetric/axisymmetric_power_law.hpp"
+#include "edgeproof/contact/axisymmetric/axisymmetric_contact.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/profile/edge.hpp"
 #include "edgeproof/contact/tilt/tilt_solver.hpp"
@@ -156,6 +156,11 @@ struct Scene {
     /// True for an axisymmetric contact with curved slopes, other than a power law.
     [[nodiscard]] bool curved_body() const {
         return profile && profile->axisymmetric() && !profile->piecewise_linear();
+    }
+    /// True for a sphere: a power law of revolution with m = 1.
+    [[nodiscard]] bool is_sphere() const {
+        const Rational* m = round && round->law ? round->law->m.rational() : nullptr;
+        return m != nullptr && *m == 1;
     }
     /// The profile and the load as the scene gives them, also of an axisymmetric power law.
     [[nodiscard]] const Profile& given_profile() const { return round ? round->profile : *profile; }

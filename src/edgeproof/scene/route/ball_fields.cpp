@@ -3,7 +3,6 @@
 #include "edgeproof/contact/curved/curved_slope.hpp"
 #include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/stress/cauchy_integral.hpp"
-#include "edgeproof/contact/stress/surface_gap.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/route/ball_level.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/algebra/identity.hpp"
 #include "edgeproof/contact/slip/slip_reach.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/scene/input/scene_file.hpp"
 #include "edgeproof/scene/route/scene_values.hpp"

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgeproof/scene/input/quantity.hpp"
-
 #include "edgeproof/algebra/identity.hpp"
+#include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/input/quantity.hpp"
 #include "edgeproof/scene/route/ball_level.hpp"
 #include "edgeproof/scene/route/exact_values.hpp"
+#include "edgeproof/scene/route/rows.hpp"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <string_view>
 #include <type_traits>
 
 namespace edgeproof::scene {
+
 namespace {
 
 using Group = QuantityGroup;
@@ -341,5 +344,26 @@ const QuantityRow& row_of(Quantity quantity) {
     return quantity_table.at(static_cast<std::size_t>(quantity));
 }
 std::span<const GroupRow> group_rows() { return group_table; }
+
+const Row* RowsAt::find(Quantity quantity, std::size_t k, std::size_t j) const {
+    const auto found = std::find_if(begin(), end(), [&](const Row& row) {
+        return row.asked.quantity == quantity && row.asked.k == k && row.asked.j == j;
+    });
+    return found == end() ? nullptr : &*found;
+}
+
+const Row& RowsAt::row(Quantity quantity, std::size_t k) const {
+    if (const Row* found = find(quantity, k)) {
+        return *found;
+    }
+    throw Error("a " + std::string(row_of(quantity).name) + " was not computed");
+}
+
+const BoundedValue& RowsAt::at(Quantity quantity, std::size_t k) const {
+    if (const auto& value = row(quantity, k).value) {
+        return *value;
+    }
+    throw Error("a " + std::string(row_of(quantity).name) + " was not found");
+}
 
 } // namespace edgeproof::scene

@@ -2,7 +2,7 @@
 #include "edgeproof/scene/route/scene_values.hpp"
 
 #include "edgeproof/contact/profile/slope.hpp"
-#include "edgeproof/formula/exact/enclosure.hpp"
+#include "edgeproof/formula/exact/exact.hpp"
 #include "edgeproof/precision/error.hpp"
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 
 #include "edgeproof/audit/diagnosis/diagnosis.hpp"
 #include "edgeproof/audit/enclosure/sample_in_balls.hpp"
-#include "edgeproof/precision/arithmetic.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/interruption.hpp"
+#include "edgeproof/precision/real.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 
 #include <algorithm>

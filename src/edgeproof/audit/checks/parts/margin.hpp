@@ -5,7 +5,7 @@
 #include "edgeproof/audit/ledger/printed_formula.hpp"
 #include "edgeproof/audit/sample/audit_context.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/roots/place_of_minimum.hpp"
+#include "edgeproof/roots/roots.hpp"
 
 #include <algorithm>
 #include <optional>

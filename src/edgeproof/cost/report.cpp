@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lab/cost/cost.hpp"
+#include "edgeproof/cost/cost.hpp"
 
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/report/figures/figures.hpp"
 #include "edgeproof/report/page/html.hpp"
 #include "edgeproof/report/text/filled_template.hpp"
 #include "edgeproof/report/text/program_line.hpp"
-#include "edgeproof/roots/power_law_fit.hpp"
+#include "edgeproof/roots/roots.hpp"
 
 #include <fmt/format.h>
 

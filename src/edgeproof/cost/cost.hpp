@@ -132,3 +132,11 @@ extern const std::string_view cost_html;
 void write_cost_page(const std::vector<CostCell>& cells, const std::filesystem::path& folder);
 
 } // namespace edgeproof::cost
+
+namespace edgeproof::cli {
+
+struct Options;
+/// The command `cost` of the program.
+int cost(Options& options);
+
+} // namespace edgeproof::cli

@@ -2,11 +2,11 @@
 #include "edgeproof/contact/curved/integrated_contact.hpp"
 #include "edgeproof/contact/enclosure/ball_contact.hpp"
 #include "edgeproof/contact/witness/witness.hpp"
+#include "edgeproof/cost/cost.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/scene/input/scene_words.hpp"
 #include "edgeproof/scene/route/scene_values.hpp"
-#include "lab/cost/cost.hpp"
 
 #include <filesystem>
 #include <iterator>

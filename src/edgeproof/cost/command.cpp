@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "lab/cost/command.hpp"
-
 #include "edgeproof/cli/cli.hpp"
 #include "edgeproof/cli/scene_command.hpp"
+#include "edgeproof/cost/cost.hpp"
 #include "edgeproof/io/output_file.hpp"
 #include "edgeproof/report/text/program_line.hpp"
-#include "lab/cost/cost.hpp"
 
 #include <cstdio>
 #include <set>

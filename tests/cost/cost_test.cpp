@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgeproof/roots/power_law_fit.hpp"
-#include "lab/cost/cost.hpp"
+#include "edgeproof/cost/cost.hpp"
+#include "edgeproof/roots/roots.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>

@@ -117,8 +117,10 @@ class _Unmade:
     """The native scene of an object that Scene.__new__ made alone."""
 
     def __getattr__(self, name: str) -> Any:
-        raise TypeError("the Scene has no profile: write Scene(...), Scene.from_text() or "
-                        "read_scene()")
+        # help() asks this object, too, for __name__ and others.
+        error = AttributeError if name.startswith("__") else TypeError
+        raise error("the Scene has no profile: write Scene(...), Scene.from_text() or "
+                    "read_scene()")
 
     __getitem__ = __getattr__
 
@@ -452,7 +454,7 @@ class Scene:
         Stresses are in the unit of the contact modulus. Raises InputError for z < 0, for points at
         which a stress is infinite (under full stick the edges; corners of the
         profile). Of an axisymmetric contact x is the radius, sxx the radial stress and syy the
-        hoop stress; points off the axis and the surface, and shear, raise InputError.
+        hoop stress; shear raises InputError.
         """
         name, places = _given_places(u, x)
         if name == "x":

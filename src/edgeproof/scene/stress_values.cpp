@@ -68,7 +68,8 @@ void check(const Scene& scene, Quantity quantity) {
 class Fields : public SceneValues {
 public:
     Fields(const Scene& scene, Quantity quantity, Body body)
-        : SceneValues(scene, {AskedValue{quantity}}, scene.ask.digits), body_(body) {}
+        : SceneValues(scene, {AskedValue{quantity}}, scene.ask.digits), body_(body),
+          slips_(scene.slips()) {}
 
     /// Calls f with fields of more and more bits until it returns true.
     void raise(long bits, const std::function<bool(const StressField&)>& f) {
@@ -78,17 +79,20 @@ public:
             try {
                 field = level.stress_field(body_);
             } catch (const BudgetError&) {
-            } catch (const DomainError&) {
             }
             return field && f(*field);
         });
         if (!enough) {
+            if (slips_) {
+                check_slip();
+            }
             throw BudgetError("no number of bits tried encloses the stress to these digits");
         }
     }
 
 private:
     Body body_;
+    bool slips_;
 };
 
 BoundedValue proved(const Ball& x, const std::string& route) {

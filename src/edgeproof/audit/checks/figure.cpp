@@ -22,7 +22,7 @@ namespace {
 /// Computed figures are assumed to be right to all working digits except these last ones.
 constexpr int lost_digits = 25;
 
-/// A figure as it is quoted: "6.4 %", "0.03", "17". Its unit is one unit of the last place.
+/// A figure as it is quoted: "6.4 %", "-0.03", "1.7e3". Its unit is one unit of the last place.
 class QuotedFigure {
 public:
     /// Reads a figure of the field `quoted`: a decimal, with or without a per cent sign.
@@ -34,8 +34,7 @@ public:
                 number.pop_back();
             }
         }
-        const auto plain = [](char c) { return (c >= '0' && c <= '9') || c == '.'; };
-        if (number.empty() || !std::ranges::all_of(number, plain)) {
+        if (number.find_first_not_of("0123456789.-eE") != std::string::npos) {
             claim.reject("quoted", "the figure '" + written_ + "' is not a decimal number",
                          "write it as quoted, such as \"6.4 %\" or \"0.03\"");
         }
@@ -44,15 +43,17 @@ public:
         } catch (const InputError& error) {
             claim.reject("quoted", error.problem(), error.instead());
         }
-        const std::size_t point = number.find('.');
-        decimals_ = point == std::string::npos ? 0 : number.size() - point - 1;
-        unit_ = parse_decimal("1e-" + std::to_string(decimals_)) / per_unit_;
+        const std::size_t power = std::min(number.find_first_of("eE"), number.size());
+        const std::size_t point = std::min(number.find('.') + 1, power);
+        decimals_ = (point == 0 ? 0 : static_cast<long>(power - point)) -
+                    (power == number.size() ? 0 : std::stol(number.substr(power + 1)));
+        unit_ = parse_decimal("1e" + std::to_string(-decimals_)) / per_unit_;
     }
 
     /// As it is quoted.
     [[nodiscard]] const std::string& written() const { return written_; }
     /// Rounds the computed value to the quoted place and returns the difference from the quoted
-    /// figure, in units of that place. A half is rounded up.
+    /// figure, in units of that place. A half is rounded away from zero.
     [[nodiscard]] long units_off(const Real& computed) const {
         const Real off = nearest_steps(computed) - Real(Rational(value_ / unit_));
         return abs(off) > most_units ? (off > 0 ? most_units : -most_units)
@@ -76,8 +77,8 @@ public:
         for (const int offset : {-1, 0, 1}) {
             const Rational middle = (Rational(steps + offset) + rounding_units()) * unit_;
             if (algebra::proved_zero(computed.expr() - Expr::number(middle))) {
-                return verdict(
-                    Ball(Rational(middle + rounding_units() * unit_), 64 + 4 * digits()));
+                const Rational away = middle + (middle < 0 ? -1 : 1) * rounding_units() * unit_;
+                return verdict(Ball(away, 64 + 4 * digits()));
             }
         }
         return {};
@@ -85,7 +86,7 @@ public:
     /// The number of decimal digits of the figure, counted from the first nonzero digit.
     [[nodiscard]] unsigned digits() const {
         unsigned count = 1;
-        for (Rational steps = value_ / unit_; steps >= 10; steps /= 10) {
+        for (Rational steps = abs(Rational(value_ / unit_)); steps >= 10; steps /= 10) {
             ++count;
         }
         return count;
@@ -93,7 +94,7 @@ public:
     /// Returns the computed value in the quoted notation, rounded to the quoted place.
     [[nodiscard]] std::string rounded(const Real& computed) const {
         return Real(nearest_steps(computed) * Real(Rational(unit_ * per_unit_)))
-                   .str(static_cast<std::streamsize>(decimals_), std::ios_base::fixed) +
+                   .str(std::max(decimals_, 0L), std::ios_base::fixed) +
                sign();
     }
     /// Returns the computed value in the quoted notation with `digits` significant digits.
@@ -104,7 +105,9 @@ public:
     [[nodiscard]] std::string note(const Real& computed) const {
         const long off = units_off(computed);
         const std::string between =
-            half_way(computed) ? " (half-way between two, to the digits computed: rounded up)" : "";
+            half_way(computed)
+                ? " (half-way between two, to the digits computed: rounded away from zero)"
+                : "";
         if (off == 0) {
             return "rounds to it" + between;
         }
@@ -129,11 +132,14 @@ private:
         return from_half <=
                (abs(steps) + 1) * pow(Real(10), lost_digits - static_cast<int>(working_digits()));
     }
-    /// The whole number of units nearest to the computed value. A half is rounded up, even if
-    /// roundoff has moved the value slightly to either side of it.
+    /// The whole number of units nearest to the computed value. A half is rounded away from zero,
+    /// even if roundoff has moved the value slightly to either side of it.
     [[nodiscard]] Real nearest_steps(const Real& computed) const {
         const Real steps = steps_of(computed);
-        return half_way(computed) ? Real(floor(steps) + 1) : Real(floor(Real(steps + Real(1) / 2)));
+        const Real up = floor(steps) + 1;
+        return !half_way(computed) ? Real(floor(Real(steps + Real(1) / 2)))
+               : computed < 0      ? Real(up - 1)
+                                   : up;
     }
     /// Decides if a number is within `units` units of the last quoted place of the figure.
     [[nodiscard]] Decision within(const Ball& x, const Rational& units) const {
@@ -147,8 +153,8 @@ private:
     std::string written_;
     Rational value_;
     Rational unit_;
-    std::size_t decimals_ = 0;
-    int per_unit_ = 1; ///< 100 for a figure in per cent
+    long decimals_ = 0; ///< negative for 17e3
+    int per_unit_ = 1;  ///< 100 for a figure in per cent
 };
 
 /// Returns the rank of a verdict on a figure, from good to bad.

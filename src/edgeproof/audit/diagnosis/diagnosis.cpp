@@ -286,6 +286,9 @@ std::optional<Expr> recognise_ratio(const std::vector<RatioSample>& samples, uns
         const Expr factor = power_of(Expr::symbol(names[i]), abs(k[i]));
         side = side ? *side * factor : factor;
     }
+    if (!over && !under && sign > 0) {
+        return std::nullopt; // 1 to the digits compared explains no difference
+    }
     Expr ratio = over.value_or(Expr::number(1));
     if (under) {
         ratio = ratio / *under;

@@ -127,7 +127,7 @@ private:
         const auto Q = names_.find("Q");
         const auto tension = names_.find("sig0");
         if (Q == names_.end() || tension == names_.end()) {
-            throw Error("a scene without shear");
+            throw Error(Q == names_.end() ? "a scene without Q" : "a scene without sig0");
         }
         return {Q->second, tension->second};
     }

@@ -25,7 +25,10 @@ int greatest(Computing& c) {
         "give --point X,Z for the stress at points");
     const std::string name(row_of(quantity).name);
     c.note("the greatest " + name +
-           (quantity == Quantity::sxx ? " on the surface of body " : " in body ") + c.body);
+           (quantity == Quantity::sxx               ? " on the surface of body "
+            : c.scene.round && !c.scene.is_sphere() ? " on the axis of body "
+                                                    : " in body ") +
+           c.body);
     c.table.asked = c.table.notes.front() + ", and its place";
     c.table.notes.insert(c.table.notes.end(), found.notes.begin(), found.notes.end());
     c.add_slip_facts();

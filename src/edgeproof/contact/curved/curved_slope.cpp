@@ -266,7 +266,7 @@ std::vector<HalfPiece> half_pieces(const Profile& profile, const Ball& a, const 
         const SlopePiece& piece = profile.pieces()[i];
         const Ball from = i > 0 ? enclosed_constant(knots[i - 1], slope_bits) : left;
         const Ball to = i < knots.size() ? enclosed_constant(knots[i], slope_bits) : right;
-        // The origin is a knot, so that no piece holds both edges.
+        // A stick zone may lie within one piece; the origin is a knot, so that a piece has one.
         const bool ends_left = !certainly_less(left, from);
         const bool ends_right = !certainly_less(to, right);
         if (piece.linear || certainly_less(to, left) || certainly_less(right, from)) {
@@ -279,10 +279,11 @@ std::vector<HalfPiece> half_pieces(const Profile& profile, const Ball& a, const 
                     half_piece(piece.slope, knots[knot].expr(), side, upper_end(length)));
             }
         };
-        if (!ends_left) {
+        const bool last = i == knots.size();
+        if (!ends_left || last) {
             add(i - 1, 1, (ends_right ? right : half) - from);
         }
-        if (ends_left || !ends_right) {
+        if (!last && (ends_left || !ends_right)) {
             add(i, -1, to - (ends_left ? left : half));
         }
     }

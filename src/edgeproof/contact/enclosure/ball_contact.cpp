@@ -167,6 +167,7 @@ BallContact BallContact::with_right_edge(const Ball& a) const {
 
 BallContact BallContact::between(const Ball& a, const Ball& b) const {
     BallContact zone(*this);
+    zone.zone_ = true;
     zone.move_edges(a, b);
     zone.fix();
     return zone;
@@ -265,7 +266,7 @@ Ball BallContact::force_rate() const {
 }
 
 Ball BallContact::moment() const {
-    if (profile_.symmetric()) {
+    if (about_origin()) {
         return {0, bits_};
     }
     return modulus_ / 4 * over_measure<MomentKernel>({a_, b_});

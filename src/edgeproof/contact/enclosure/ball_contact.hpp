@@ -141,6 +141,10 @@ private:
     [[nodiscard]] Ball force_of(const Extent<Ball>& e) const;
     template <class Kernel> [[nodiscard]] Ball over_measure(const Extent<Ball>& e) const;
 
+    /// True if the contact is its own mirror image, as no stick zone under a tension is.
+    [[nodiscard]] bool about_origin() const { return power_ || (profile_.symmetric() && !zone_); }
+
+    bool zone_ = false; ///< made by between()
     std::optional<PowerLawIntegral> power_law_integral_;
     std::optional<PowerLaw<Ball>> power_;
     Fixed fixed_;

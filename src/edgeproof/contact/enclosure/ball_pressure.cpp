@@ -136,7 +136,7 @@ std::vector<Mark<BallSeries>> BallContact::marks(const Extent<BallSeries>& e) co
 
 BallSeries BallContact::left_edge_series(std::size_t order) const {
     const BallSeries a = BallSeries::variable(a_, order);
-    if (profile_.symmetric()) {
+    if (about_origin()) {
         return a;
     }
     // Newton's step is exact in the terms that it doubles: if the balls contain the true b to k
@@ -197,8 +197,8 @@ std::vector<Ball> BallContact::expansion(Edge edge, std::size_t terms) const {
     if (terms == 0) {
         return {};
     }
-    return edge == Edge::right || profile_.symmetric() ? right_expansion(terms)
-                                                       : mirrored().right_expansion(terms);
+    return edge == Edge::right || about_origin() ? right_expansion(terms)
+                                                 : mirrored().right_expansion(terms);
 }
 
 namespace {

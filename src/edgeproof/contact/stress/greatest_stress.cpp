@@ -51,6 +51,13 @@ struct Cell {
         (across ? other.x : other.z) += half;
         return {one, other};
     }
+    /// True if its halves are exact, so that together they are the whole of it.
+    [[nodiscard]] bool has_halves() const {
+        constexpr double places = 0x1p52;
+        return half_x >= least_half && std::abs(x) < half_x * places && z < half_z * places;
+    }
+    /// Below this part of the contact no boxes are divided.
+    static constexpr double least_half = 0x1p-60;
 };
 
 /// Branch and bound over the half-plane: boxes in the order of their upper bounds of F.
@@ -78,7 +85,7 @@ public:
             if (is_decided(cell) || decide(cell)) {
                 continue;
             }
-            if (boxes_ >= most_boxes_ || cell.half_x < least_half) {
+            if (boxes_ >= most_boxes_ || !cell.has_halves()) {
                 refuse(upper);
             }
             for (const Cell& half : cell.halves(cell.half_x >= cell.half_z)) {
@@ -89,8 +96,6 @@ public:
     }
 
 private:
-    /// Below this part of the contact no boxes are divided.
-    static constexpr double least_half = 0x1p-60;
     static constexpr double farthest = 0x1p40;
 
     struct Open {
@@ -303,7 +308,7 @@ private:
                 first.push_back(place);
             }
         }
-        if (first.empty() || first.size() > 2 ||
+        if (first.empty() || first.size() > 2 || first.front().F.upper() < best_ ||
             (first.size() == 2 && !are_mirrored(first[0], first[1]))) {
             refuse(first.empty() ? best_ : first.front().F.upper());
         }

@@ -74,9 +74,13 @@ std::string markdown_text(std::string_view text) {
     const bool link = text.find("](") != std::string_view::npos ||
                       text.find("][") != std::string_view::npos ||
                       text.find("]:") != std::string_view::npos;
-    const std::string out =
-        replaced(printable(text),
-                 {{'<', "&lt;"}, {'&', "&amp;"}, {'\\', "\\\\"}, {'|', "\\|"}, {'`', "\\`"}});
+    const std::string out = replaced(printable(text), {{'<', "&lt;"},
+                                                       {'&', "&amp;"},
+                                                       {'\\', "\\\\"},
+                                                       {'|', "\\|"},
+                                                       {'`', "\\`"},
+                                                       {'*', "\\*"},
+                                                       {'_', "\\_"}});
     return link ? replaced(out, {{'[', "\\["}, {']', "\\]"}}) : out;
 }
 
@@ -93,6 +97,9 @@ std::string latex_text(std::string_view text) {
                                       {'&', "\\&"},
                                       {'#', "\\#"},
                                       {'$', "\\$"},
+                                      {'<', "\\textless{}"},
+                                      {'>', "\\textgreater{}"},
+                                      {'|', "\\textbar{}"},
                                       {'{', "\\{"},
                                       {'}', "\\}"}});
 }

@@ -91,10 +91,12 @@ void SceneValues::refuse_outside(Edge edge, const Distance& u) {
 
 void SceneValues::refuse_outside_by_edges(Edge edge, const Distance& u) {
     refuse_corner(edge, u);
-    const Form distance = u.exactly(
-        [&](std::string_view name) { return Form::name(scene_.symmetric() ? "a" : name, true); });
-    const Form a = Form::name("a", true);
-    const Form length = a + (scene_.symmetric() ? a : Form::name("b", true));
+    const auto symbol = [](std::string_view name) { return Form::name(name, true); };
+    const auto given = first_->contact().known(Edge::right); // a formula has its value in it
+    const Form a = given ? algebra::form_of(given->expr(), symbol) : symbol("a");
+    const Form b = scene_.symmetric() ? a : symbol("b");
+    const Form distance = u.exactly([&](std::string_view name) { return name == "a" ? a : b; });
+    const Form length = a + b;
     if ((distance == Form() || distance == length) && no_traction_at_edges()) {
         throw OutsideContact("is on an edge");
     }

@@ -65,6 +65,9 @@ public:
     [[nodiscard]] bool in_proportion();
     /// The row of a quantity with `searched`.
     [[nodiscard]] const Row& searched(const AskedValue& asked);
+    /// Throws InputError, with the line of its cause, if the contact slides or the stick zone would
+    /// extend beyond it.
+    void check_slip();
 
     /// Calls f with levels of `bits`, 2 `bits`, ... up to `most` bits until it returns true;
     /// returns whether it did. A level whose bits do not isolate the edges is left out.
@@ -144,9 +147,6 @@ private:
     [[nodiscard]] std::optional<Rational> exact_crossing(const AskedValue& asked, const Ball& u,
                                                          const BallLevel& level);
 
-    /// Throws InputError, with the line of its cause, if the contact slides or the stick zone would
-    /// extend beyond it.
-    void check_slip();
     /// Refuses |Q| = f P, decided by the exact form of P.
     void refuse_exactly_sliding(const BallLevel& level);
     /// The rows of a slip zone by the first terms. Throws BudgetError if no number of bits encloses

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgeproof/contact/enclosure/fields.hpp"
 #include "edgeproof/contact/law/shear.hpp"
 #include "edgeproof/contact/witness/edge_equations.hpp"
-#include "edgeproof/precision/ball/ball.hpp"
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 #include "tests/contact/scenes.hpp"
 #include "tests/support/namespaces.hpp"
@@ -15,8 +13,6 @@ using scenes::ShearCase;
 using witness::Place;
 
 namespace {
-
-constexpr long shear_bits = 300;
 
 // A traction q is put back into the equations that it must satisfy (docs/pressure.md, "The forward
 // check"). It is a function of a Place, evaluated anew at every node, and only needs to be
@@ -101,71 +97,6 @@ TEST_CASE("full stick: the integral equation gives the tension, the resultant gi
                 const Real around = size / sqrt(Real(at.right * at.left)) *
                                     (e.length() / (at.right < at.left ? at.right : at.left));
                 CHECK(abs(Real(strain.value - expected)) < around * Real("1e-31"));
-            }
-        }
-    }
-}
-
-// Expanded by hand from (1 - z)^(-1/2) = 1 + z/2 + 3 z^2/8 + 5 z^3/16 + ...
-TEST_CASE("the brackets over the rationals") {
-    const Rational Q(3);
-    const Rational sigma(5);
-    const Rational D(7);
-    for (const Edge edge : {Edge::right, Edge::left}) {
-        const Rational s(edge == Edge::right ? 1 : -1);
-        const auto k = full_stick_terms<Rational>(Q, sigma, D, edge, 4, 1);
-        const Rational lead = Q + s * sigma * D / 8;
-        CHECK(k[0] == lead);
-        CHECK(k[1] == lead / (2 * D) - s * sigma / 4);
-        CHECK(k[2] == lead * 3 / (8 * D * D) - s * sigma / (8 * D));
-        CHECK(k[3] == lead * 5 / (16 * D * D * D) - s * sigma * 3 / (32 * D * D));
-    }
-    CHECK(full_stick_terms<Rational>(Q, sigma, D, Edge::left, 0, 1).empty());
-}
-
-TEST_CASE("the loading at which a coefficient vanishes, and at which edge") {
-    const PrecisionScope scope(60);
-    const Real D = Real(7) / 5;
-    for (std::size_t k = 0; k < 6; ++k) {
-        for (const int Q : {2, -2}) {
-            for (const int sense : {1, -1}) {
-                // |r_k| = |2k - 1|/(2k + 1), from the ratio 2k/(2k - 1) of neighbouring binomials.
-                const int n = static_cast<int>(2 * k);
-                const Real r = Real(abs(n - 1)) / (n + 1);
-                const Real sigma = 8 / pi<Real>() * r * Q * sense / D;
-                const ShearLoad<Real> load{Real(Q), sigma};
-                // It is the right edge if Q and sigma_0 have the same sign, except for k = 0.
-                const Edge edge = (k == 0) == (sense > 0) ? Edge::left : Edge::right;
-                const auto here = full_stick_expansion(D, load, edge, k + 1);
-                const auto there = full_stick_expansion(D, load, opposite(edge), k + 1);
-                CHECK(abs(here[k]) < Real("1e-57"));
-                CHECK(abs(there[k]) > Real("1e-3"));
-            }
-        }
-    }
-}
-
-// The brackets of shear.hpp are exact over the rationals, and are compared with coefficients by
-// hand; here Q/pi is rational.
-TEST_CASE("balls of the shear's coefficients hold the exact ones, and are narrow") {
-    const Rational length(9, 4); // a square, so that the root is rational
-    for (const ShearCase& c : all_signs) {
-        CAPTURE(c.Q);
-        CAPTURE(c.sigma);
-        for (const Edge edge : {Edge::right, Edge::left}) {
-            const Rational over_pi = exact(c.Q).rational();
-            const Rational sigma = exact(c.sigma).rational();
-            const auto exactly =
-                full_stick_terms<Rational>(over_pi, sigma, length, edge, 12, Rational(3, 2));
-            const Ball whole(length, shear_bits);
-            const ShearLoad<Ball> load{Ball(over_pi, shear_bits) * Ball::pi(shear_bits),
-                                       Ball(sigma, shear_bits)};
-            CHECK_FALSE(full_stick_traction(whole, load, edge, whole).is_finite());
-            const auto s = full_stick_expansion(whole, load, edge, 12);
-            REQUIRE(s.size() == 12);
-            for (std::size_t k = 0; k < 12; ++k) {
-                CHECK(contains(s[k], exactly[k]));
-                CHECK(s[k].relative_accuracy_bits() > 250);
             }
         }
     }

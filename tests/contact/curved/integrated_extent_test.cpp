@@ -1,101 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/contact/curved/integrated_contact.hpp"
-#include "edgeproof/contact/enclosure/ball_contact.hpp"
-#include "edgeproof/precision/error.hpp"
-#include "tests/contact/extents.hpp"
+#include "tests/contact/scenes.hpp"
 #include "tests/support/namespaces.hpp"
 
 #include <doctest/doctest.h>
 
 using namespace edgeproof::scenes;
-
-namespace {
-
-/// Returns the fault of an enclosure compared with another one; empty if there is none.
-std::string fault(const Ball& x, const Ball& y) {
-    if (!overlaps(x, y)) {
-        return "apart";
-    }
-    // 10 units of the 40th digit.
-    return x.relative_accuracy_bits() > 130 ? "" : "wide: " + x.radius().str(3);
-}
-
-std::string fault(const EnclosedExtents& x, const EnclosedExtents& y) {
-    if (x.crossings.size() != y.crossings.size() || x.leaves != y.leaves) {
-        return "other crossings";
-    }
-    for (std::size_t i = 0; i < x.crossings.size(); ++i) {
-        if (!overlaps(x.crossings[i], y.crossings[i])) {
-            return "crossing " + std::to_string(i) + " apart";
-        }
-    }
-    return fault(x.first_exit, y.first_exit) + fault(x.measure, y.measure);
-}
-
-} // namespace
-
-// Compares integrals and Cauchy's bounds with logarithms and their derivatives.
-TEST_CASE("extents by rigorous integrals are those of the closed forms, where there are both") {
-    const std::string wedge = "tilted-wedge phi=pi/16 alpha=pi/20 ";
-    const std::string pad = "flat-and-rounded R=1 ";
-    const std::vector<AskedExtent> all = {
-        {contact_of(pad + "t=2/5 a=1"), Edge::right, 2, "1/20"},
-        {contact_of(pad + "t=2/5 P=1/5"), Edge::left, 1, "1/100"},
-        {contact_of(wedge + "a=1"), Edge::left, 2, "1/100"},
-        {contact_of(wedge + "P=1/10"), Edge::right, 3, "1e-9"},
-        {contact_of("tilted-flat-and-rounded alpha=pi/16 t=1 R=2 a=3"), Edge::left, 2, "1/20"},
-        {contact_of(pad + "t=4/5 a=1"), Edge::right, 1, "1/100", {exact("1/1000"), exact("1/2")}}};
-    for (const AskedExtent& asked : all) {
-        CAPTURE(asked.contact.name);
-        CHECK(fault(enclosed<IntegratedContact>(asked, 262), enclosed<BallContact>(asked, 262)) ==
-              "");
-    }
-}
-
-TEST_CASE("extents of curved slopes, with corners and bends, symmetric or not" *
-          doctest::test_suite("slow")) {
-    Contact loaded = own_tilted();
-    loaded.load = Load::force(exact("1/3"));
-    const std::vector<AskedExtent> all = {{own_symmetric(), Edge::right, 1, "1/100"},
-                                          {own_symmetric(), Edge::right, 3, "1e-6"},
-                                          {own_tilted(), Edge::right, 2, "1/20"},
-                                          {own_tilted(), Edge::left, 1, "1/100"},
-                                          {loaded, Edge::left, 2, "1/20"}};
-    for (const AskedExtent& asked : all) {
-        CAPTURE(asked.n);
-        CHECK(fault_by_witness(asked, enclosed<IntegratedContact>(asked, 262)) == "");
-    }
-}
-
-TEST_CASE("an undecided case is not guessed: a crossing on the range's end, b on a knot") {
-    const std::string inside = "((1+x)^2-1-x^2)/2";
-    const auto integrals = [](const Contact& c) {
-        return IntegratedContact(c.profile, c.modulus, c.load, 200);
-    };
-    // The error of one term of Hertz is 1 at 3/4 of the contact.
-    CHECK_THROWS_AS(
-        (void)enclosed<IntegratedContact>({contact_of("piecewise symmetric a=1 slopes=" + inside),
-                                           Edge::right,
-                                           1,
-                                           "1",
-                                           {exact("0"), exact("3/4")}}),
-        BudgetError);
-    // b = 1 = a, because g' = x in the contact, with a bend at -1: exact algebra shows this. c_0 of
-    // Hertz's sqrt(u (2 - u))/2 is sqrt(2)/2.
-    const IntegratedContact odd =
-        integrals(contact_of("piecewise knots=-1;0 a=1 E=1 slopes=2*x+1;" + inside + ";" + inside));
-    CHECK(odd.known(Edge::left).has_value());
-    CHECK(overlaps(odd.expansion(Edge::left, 1)[0], sqrt(Ball(2, 200)) / 2));
-    // Exact algebra does not know that sinh is (e^x - e^-x)/2.
-    const Contact hidden =
-        contact_of("piecewise knots=-1;0 a=1 slopes=sinh(x)+x+1;(exp(x)-exp(-x))/2;sinh(x)");
-    const IntegratedContact on_knot = integrals(hidden);
-    CHECK(contains(on_knot.b(), Rational(1)));
-    CHECK(on_knot.edge_may_be_on_knot());
-    CHECK_FALSE(on_knot.expansion(Edge::left, 1)[0].is_finite());
-    CHECK_THROWS_AS((void)enclosed<IntegratedContact>({hidden, Edge::left, 1, "1/100"}),
-                    BudgetError);
-}
 
 // Compares values over intervals, by disks and near bends, with the integrals at points in them.
 TEST_CASE("a pressure over an interval holds those at its points, and so do its derivatives") {

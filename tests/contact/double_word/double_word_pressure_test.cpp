@@ -99,34 +99,6 @@ void compare_with_balls(int draws) {
 
 } // namespace
 
-TEST_CASE("in double words: the binary64 nearest to the singular integral at 40 digits") {
-    std::size_t decided = 0;
-    std::size_t asked = 0;
-    for (const std::string& words : pressed) {
-        const DoubleWordPressure pressure = words_of(words);
-        const Contact c = contact_of(words);
-        const Witness witness(c.profile, c.modulus, c.load, 40);
-        const double length = (witness.a() + witness.b()).convert_to<double>();
-        for (const Edge edge : {Edge::right, Edge::left}) {
-            for (const double u : {1e-40, 1e-9, 0.003, 0.21, 0.4999, 0.73, 1 - 1e-9}) {
-                CAPTURE(u);
-                const double at = length * u;
-                ++asked;
-                const auto p = pressure.nearest(edge, at);
-                if (!p) {
-                    continue;
-                }
-                ++decided;
-                // This route uses another formula, by quadrature.
-                CHECK(*p ==
-                      witness.pressure(edge, Exact::of(Rational(at)), Route::singular_integral)
-                          .value.convert_to<double>());
-            }
-        }
-    }
-    CHECK(decided + 2 >= asked);
-}
-
 TEST_CASE("in double words: the binary64 of a ball, by edges, knots, the apex and in between") {
     compare_with_balls(150);
 }

@@ -83,24 +83,6 @@ EnclosedReach reach_of(const SlipCase& c, Edge edge, std::size_t n, const char* 
 
 } // namespace
 
-TEST_CASE("the first term of the series of the slip zones is 2 s_0/(f c_0)") {
-    const Ball f(Rational(3, 5), slip_bits);
-    for (const SlipCase& c : slip_cases()) {
-        CAPTURE(c.contact.name);
-        const Slipping s = slipping(c, "3/10");
-        const auto first = s.slip->series(1);
-        // Q such that tau = 1: f P.
-        const Ball Q = f * s.of->force();
-        for (const Edge edge : {Edge::right, Edge::left}) {
-            const Ball s_0 = full_stick_expansion(s.of->a() + s.of->b(),
-                                                  ShearLoad<Ball>{Q, Q * number(c.r)}, edge, 1)[0];
-            const Ball kappa = edge == Edge::right ? first.right[0] : first.left[0];
-            CHECK(overlaps(kappa, s_0 * 2 / (f * s.of->expansion(edge, 1)[0])));
-            CHECK(kappa.relative_accuracy_bits() > 250);
-        }
-    }
-}
-
 // The remainder of n terms is of the order tau^(n + 1), in both directions: it is given by the next
 // coefficient.
 TEST_CASE("the series of the slip zones approaches their sizes at its order") {
@@ -150,9 +132,4 @@ TEST_CASE("how far the terms stay within a tolerance, tilted and under tension")
             }
         }
     }
-}
-
-TEST_CASE("one term of Hertz never leaves a tolerance of more than a half") {
-    const SlipCase hertz = slip_cases()[0];
-    CHECK_FALSE(reach_of(hertz, Edge::left, 1, "51/100", 300).leaves);
 }

@@ -9,7 +9,6 @@
 
 #include <doctest/doctest.h>
 
-#include <functional>
 #include <future>
 
 using namespace edgeproof::scenes;
@@ -43,63 +42,28 @@ Contact drawn(SplitMix64& dice) {
 
 } // namespace
 
-// Hertz: johnson1985, 4.45 (line contact). Wedge: johnson1985, 5.37. m = 2: the integral of
-// s^2/sqrt(s^2 - x^2) is (a w + x^2 arcosh(a/x))/2. Flat and rounded: P = E* a^2 (pi - 2 f - sin
-// 2f)/ (4 R) with sin f = t/a (ciavarella-hills-monno1998).
-TEST_CASE("closed forms, by both routes to 50 digits") {
-    struct Case {
-        std::string words;
-        const char* a;
-        Real force;
-        std::function<Real(const Real& x)> pressure = {};
-    };
-    const PrecisionScope scope(80);
-    const Real E = Real(7) / 3;
-    const Real pi = edgeproof::pi<Real>();
-    const Real f = asin(Real(4) / 15);
-    const std::vector<Case> cases{
-        {"power-law m=1 C=1/70", "1/50", Real(pi * E / 2500 / 280),
-         [&](const Real& x) { return Real(E / 140 * sqrt(Real(1) / 2500 - x * x)); }},
-        {"power-law m=0 C=0.3", "3/2", Real(E * 3 / 10 * 3 / 2),
-         [&](const Real& x) { return Real(E * 3 / 10 / pi * acosh(Real(3 / (2 * x)))); }},
-        {"power-law m=2 C=3", "2", Real(E * 16),
-         [&](const Real& x) {
-             const Real w = sqrt(Real(4 - x * x));
-             return Real(E * 3 / pi * (2 * w + x * x * acosh(Real(2 / x))));
-         }},
-        {"flat-and-rounded t=2/5 R=3", "3/2",
-         Real(E * 9 / 4 / 12 * (pi - 2 * f - sin(Real(2 * f))))}};
-    for (const Case& c : cases) {
-        const Witness witness = witness_of(contact_of(c.words + " a=" + c.a), 50);
-        CHECK(common_digits(witness.force(), c.force) >= 50);
-        for (const char* part : {"1e-30", "1/1000", "9/10"}) {
-            const Exact u(exact(part).expr() * exact(c.a).expr());
-            for (const Route route : both_routes) {
-                CAPTURE(route_name(route));
-                const auto p = witness.pressure(Edge::right, u, route);
-                CHECK((!c.pressure ||
-                       common_digits(
-                           p.value, c.pressure(Real(exact(c.a).to<Real>() - u.to<Real>()))) >= 50));
-                CHECK(p.estimate < Real("1e-50"));
-            }
+// The enclosures are compared with closed forms and mpmath in tests/scene/values.txt and
+// tests/oracles.
+TEST_CASE("contacts of extreme sizes against enclosures") {
+    std::vector<Contact> all = symmetric();
+    for (const Contact& c : tilted()) {
+        all.push_back(c);
+    }
+    for (const std::string ratio : {"1/5", "1e-12", "999999999/1000000000", "-1/3"}) {
+        for (const char* load : {" a=7/5", " P=1/9"}) {
+            all.push_back(contact_of("tilted-wedge phi=pi/16 alpha=pi/16*" + ratio + load));
         }
     }
-}
-
-// b = gamma a with sin(pi alpha/(2 phi)) = (1 - gamma)/(1 + gamma), and P = E* phi sqrt(gamma) a,
-// from the consistency condition by hand.
-TEST_CASE("the tilted wedge, given by its edge and by its force") {
-    for (const char* ratio : {"1/5", "1e-12", "999999999/1000000000", "-1/3"}) {
-        CAPTURE(ratio);
-        const std::string wedge = "tilted-wedge phi=pi/16 E=3 alpha=pi/16*" + std::string(ratio);
-        const PrecisionScope scope(110);
-        const Real S = sin(pi<Real>() / 2 * exact(ratio).to<Real>());
-        const Real gamma = (1 - S) / (1 + S);
-        const Witness by_a = witness_of(contact_of(wedge + " a=7/5"), 50);
-        CHECK(common_digits(by_a.b(), gamma * 7 / 5) >= 50);
-        CHECK(common_digits(by_a.force(), 3 * pi<Real>() / 16 * sqrt(gamma) * 7 / 5) >= 50);
-        const Witness by_P = witness_of(contact_of(wedge + " P=1/9"), 50);
-        CHECK(common_digits(by_P.a(), 16 / (27 * pi<Real>() * sqrt(gamma))) >= 50);
+    for (const Contact& c : all) {
+        CAPTURE(c.name);
+        CHECK(digits_shared(c, 50, Route::singular_integral, {"1e-30", "0.013", "0.3", "0.47"}) >=
+              50);
+    }
+    for (const Contact& c :
+         contacts({"power-law m=1 C=1/70 a=1/50", "power-law m=0 C=0.3 a=3/2",
+                   "power-law m=2 C=3 a=2", "flat-and-rounded t=2/5 R=3 a=3/2"})) {
+        CAPTURE(c.name);
+        CHECK(digits_shared(c, 50, Route::barber_mossakovskii, {"1e-30", "0.0005", "0.45"}) >= 50);
     }
 }
 

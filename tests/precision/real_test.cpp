@@ -5,13 +5,11 @@
 
 #include <doctest/doctest.h>
 
-#include <barrier>
 #include <cfloat>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
 namespace edgeproof {
 namespace {
@@ -61,26 +59,6 @@ TEST_CASE("one third at 50 and at 100 digits, side by side") {
     CHECK(third_at(100, 100) == threes(100));
     // The precision limits the digits: with a precision of 100, this would find threes.
     CHECK(third_at(50, 100) != threes(100));
-}
-
-TEST_CASE("two threads with different precisions see only their own") {
-    std::barrier together(2);
-    std::string digits[2];
-    const auto work = [&](int who, unsigned precision) {
-        const PrecisionScope scope(precision);
-        together.arrive_and_wait(); // both scopes exist before either computes
-        const Real third = Real(1) / 3;
-        together.arrive_and_wait();
-        digits[who] = scientific(third, precision);
-    };
-    const PrecisionScope here(30);
-    std::thread fifty(work, 0, 50U);
-    std::thread hundred(work, 1, 100U);
-    fifty.join();
-    hundred.join();
-    CHECK(digits[0] == threes(50));
-    CHECK(digits[1] == threes(100));
-    CHECK(working_digits() == 30);
 }
 
 TEST_CASE("a rational, or a number on request, becomes the nearest at the working precision") {

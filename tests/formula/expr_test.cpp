@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <random>
 #include <string>
-#include <thread>
 #include <unordered_set>
 #include <vector>
 
@@ -205,30 +204,6 @@ TEST_CASE("substitution") {
     CHECK(substitute(read("  a"), "b", read("x")).offset() == 2);
 }
 
-TEST_CASE("edits by path") {
-    const Expr e = read("2*a + integral(s/b, s, 0, a)");
-    const std::vector<Path> all = paths(e);
-    std::vector<std::string> texts;
-    for (const Path& p : all) {
-        texts.push_back(to_text(at(e, p)));
-        CHECK(replace(e, p, at(e, p)) == e);
-        const Expr other = replace(e, p, read("P1"));
-        CHECK_FALSE(other == e);
-        CHECK(at(other, p) == read("P1"));
-    }
-    // The bound variable cannot be edited.
-    CHECK(texts == std::vector<std::string>{to_text(e), "2*a", "2", "a", "integral(s/b, s, 0, a)",
-                                            "s/b", "s", "b", "0", "a"});
-    CHECK(replace(e, all[2], read("3")) == read("3*a + integral(s/b, s, 0, a)"));
-    CHECK(replace(e, Path{}, read("b")) == read("b"));
-    // An edit inside a sum of numbers changes the exact value.
-    CHECK(*replace(read("(1 + 2)*3"), Path{0, 1}, read("5")).rational() == 18);
-    CHECK_THROWS_AS((void)at(e, Path{2}), Error);
-    CHECK_THROWS_AS((void)at(e, Path{0, 0, 0}), Error);
-    CHECK_THROWS_AS((void)replace(e, Path{0, 2}, read("1")), Error);
-    CHECK_THROWS_AS((void)replace(e, Path{1, 1}, read("1")), InputError);
-}
-
 TEST_CASE("builders refuse expressions that have no text") {
     CHECK_THROWS_AS((void)Expr::call("sqrt", {}), InputError);
     CHECK_THROWS_AS((void)Expr::call("atan2", {read("1")}), InputError);
@@ -271,24 +246,6 @@ TEST_CASE("LaTeX") {
     CHECK(to_tex(read("P1*a"), [](std::string_view n) {
               return n == "P1" ? std::string("P_1") : std::string();
           }) == "P_1 a");
-}
-
-TEST_CASE("expressions may be shared by threads") {
-    const Expr e = read("a*sqrt(2)/Pi + integral(s, s, 0, a)");
-    std::vector<std::thread> threads;
-    std::vector<int> equal(4, 0);
-    for (std::size_t i = 0; i < equal.size(); ++i) {
-        threads.emplace_back([&, i] {
-            for (int k = 0; k < 200; ++k) {
-                const Expr copy = substitute(e, "a", Expr::symbol("b"));
-                equal[i] += substitute(copy, "b", Expr::symbol("a")) == e ? 1 : 0;
-            }
-        });
-    }
-    for (std::thread& t : threads) {
-        t.join();
-    }
-    CHECK(equal == std::vector<int>(4, 200));
 }
 
 TEST_CASE("definitions are put into each other, in any order") {

@@ -32,26 +32,7 @@ BallValues with(long x, long y, long n) {
     return {{200}, {{"x", Ball(x, 200)}, {"y", Ball(y, 200)}, {"n", Ball(n, 200)}}};
 }
 
-// Digits of pi and of the square root of 2 as in OEIS A000796 and A002193.
-const char* const pi_100 = "3.141592653589793238462643383279502884197169399375105820974944592307816"
-                           "406286208998628034825342117068";
-const char* const sqrt2_100 =
-    "1.41421356237309504880168872420969807856967187537694807317667973799073"
-    "2478462107038850387534327641573";
-
 } // namespace
-
-TEST_CASE("known digits") {
-    const BallValues values{{400}};
-    const PrecisionScope scope(100);
-    const auto has_digits = [&](const char* text, const char* digits) {
-        const Ball error = abs(value(text, values) - Ball(Real(digits), 400));
-        CHECK(certainly_less(error, pow_int(Ball(10, 400), -98)));
-    };
-    has_digits("Pi", pi_100);
-    has_digits("sqrt(2)", sqrt2_100);
-    has_digits("2^(1/2)", sqrt2_100);
-}
 
 TEST_CASE("identities hold") {
     const long bits = 660;

@@ -3,10 +3,8 @@
 #include "edgeproof/quadrature/tanh_sinh.hpp"
 #include "tests/support/namespaces.hpp"
 
-#include <boost/math/quadrature/tanh_sinh.hpp>
 #include <doctest/doctest.h>
 
-#include <thread>
 #include <vector>
 
 namespace {
@@ -86,45 +84,6 @@ TEST_CASE("a feature between the nodes is invisible: the reason for cutting at e
     CHECK(cut.converged);
     const Real exact = 2 * (c * sqrt(c) + (1 - c) * sqrt(1 - c)) / 3;
     CHECK(abs(cut.value - exact) < Real("1e-48"));
-}
-
-TEST_CASE("Boost.Math's tanh-sinh agrees, given the same two distances") {
-    const PrecisionScope scope(50);
-    boost::math::quadrature::tanh_sinh<Real> boost_rule(15);
-    const auto theirs = boost_rule.integrate(
-        [](const Real& x, const Real& xc) {
-            const Real from_right = x > 0 ? Real(abs(xc)) : Real(1 - x);
-            const Real from_left = x > 0 ? Real(1 + x) : Real(abs(xc));
-            return Real(asin(x / 2) * asin(x / 2) / sqrt(from_right * from_left));
-        },
-        Real("1e-46"));
-    const auto ours = tanh_sinh([](const Real& lo, const Real& hi) {
-        const Real x = lo - hi;
-        return Real(asin(x / 2) * asin(x / 2) / sqrt(lo * hi));
-    });
-    CHECK(abs(ours.value - theirs) < Real("1e-45"));
-}
-
-TEST_CASE("nodes belong to a thread and a precision") {
-    const auto integral = [](unsigned digits) {
-        const PrecisionScope scope(digits);
-        return tanh_sinh([](const Real& lo, const Real& hi) { return Real(1 / sqrt(lo * hi)); })
-            .value;
-    };
-    Real coarse;
-    Real fine;
-    // Interleaved on one thread, and concurrently on two: 100 digits after 50 are 100 digits.
-    const Real first = integral(50);
-    std::thread one([&] { fine = integral(100); });
-    std::thread two([&] { coarse = integral(30); });
-    one.join();
-    two.join();
-    const PrecisionScope scope(120);
-    CHECK(abs(integral(100) - pi<Real>()) < Real("1e-97"));
-    CHECK(abs(fine - pi<Real>()) < Real("1e-97"));
-    CHECK(abs(first - pi<Real>()) < Real("1e-47"));
-    CHECK(abs(coarse - pi<Real>()) < Real("1e-27"));
-    CHECK(abs(coarse - pi<Real>()) > Real("1e-60"));
 }
 
 TEST_CASE("evaluations are counted, and an unexplained saving fails as well") {

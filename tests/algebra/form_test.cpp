@@ -11,7 +11,6 @@
 
 #include <random>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace {
@@ -187,24 +186,6 @@ TEST_CASE("zeros that the algebra proves, and numbers that it does not decide") 
     CHECK(decided_sign(parse("sqrt(2) - 99/70")) == -1);
     CHECK(decided_sign(parse("pi/8 - 2*pi/16")) == 0);
     CHECK_FALSE(decided_sign(parse("acos(1/3) - atan(sqrt(8))")).has_value());
-}
-
-TEST_CASE("several threads work with their own forms") {
-    std::vector<std::string> results(4);
-    std::vector<std::thread> threads;
-    for (std::string& result : results) {
-        threads.emplace_back([&result] {
-            for (int i = 0; i < 50; ++i) {
-                result = tidy("(sqrt(a + b)*a^m + p(x)/3)^4/(x - y)^3");
-            }
-        });
-    }
-    for (std::thread& thread : threads) {
-        thread.join();
-    }
-    for (const std::string& result : results) {
-        CHECK(result == results[0]);
-    }
 }
 
 TEST_CASE("elementary functions of an expansion invert each other to the last term") {

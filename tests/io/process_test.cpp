@@ -87,24 +87,6 @@ TEST_CASE("clean_up: temporary paths are removed, kept ones remain") {
     CHECK(std::filesystem::exists(folder / "gone before"));
 }
 
-TEST_CASE("clean_up: an incomplete file is removed, a complete one remains") {
-    const test::Folder own;
-    const std::filesystem::path& folder = own.path();
-    CHECK(in_a_process([&] {
-              write_whole(folder / "done", "all");
-              const TemporaryPath open(folder / "open");
-              std::ofstream(open.path()) << "a part";
-              clean_up();
-              ::_exit(0);
-          }) == 0);
-    std::size_t files = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        CHECK(entry.path().filename() == "done");
-        ++files;
-    }
-    CHECK(files == 1);
-}
-
 TEST_CASE("an interrupted process writes no result") {
     const test::Folder own;
     const std::filesystem::path& folder = own.path();

@@ -274,21 +274,6 @@ TEST_CASE("samples of a line through a mesh are not its elements") {
     }
 }
 
-TEST_CASE("least squares: a known line, its standard errors, dependent columns") {
-    // For y = 1, 2, 2, 3 at x = 0, 1, 2, 3: slope 0.6, intercept 1.1, residual sum of squares 0.2,
-    // so that s^2 = 0.1, and the standard errors are sqrt(0.1/5) and sqrt(0.1 * 14/20).
-    const std::vector<std::vector<double>> columns{{1, 1, 1, 1}, {0, 1, 2, 3}};
-    const std::vector<double> y{1, 2, 2, 3};
-    const auto fit = least_squares(columns, y);
-    REQUIRE(fit);
-    CHECK(fit->coefficients[0] == doctest::Approx(1.1).epsilon(1e-13));
-    CHECK(fit->coefficients[1] == doctest::Approx(0.6).epsilon(1e-13));
-    CHECK(fit->standard_errors[0] == doctest::Approx(std::sqrt(0.07)).epsilon(1e-12));
-    CHECK(fit->standard_errors[1] == doctest::Approx(std::sqrt(0.02)).epsilon(1e-12));
-    CHECK_FALSE(least_squares({{1, 1, 1, 1}, {2, 2, 2, 2}}, y));
-    CHECK_FALSE(least_squares({{1, 2}, {0, 1}}, std::vector<double>{1, 2}));
-}
-
 TEST_CASE("meshes that smear the edge: orders") {
     std::vector<FileComparison> files;
     for (const int n : {32, 64, 128, 256}) {
@@ -312,18 +297,6 @@ TEST_CASE("meshes that smear the edge: orders") {
     CHECK(of("p_max").order.value() == doctest::Approx(2).epsilon(0.01));
     REQUIRE(of("l2").order);
     CHECK(*of("l2").order > 0.5);
-}
-
-TEST_CASE("orders of known sequences") {
-    for (const double order : {0.5, 1.0, 1.5, 2.0, 4.0}) {
-        std::vector<MeshValue> errors;
-        for (const double h : {0.125, 1.0, 0.5, 0.2}) { // in any order, without a fixed ratio
-            errors.push_back({h, -0.7 * std::pow(h, order)});
-        }
-        CHECK(order_of(errors).value() == doctest::Approx(order).epsilon(1e-6));
-    }
-    CHECK_FALSE(order_of({{1, 0}, {0.5, 0}})); // all values are exact
-    CHECK_FALSE(order_of({{1, 2}, {1, 3}}));   // one width
 }
 
 TEST_CASE("the allowance for a mesh is that of the committed runs of CalculiX") {

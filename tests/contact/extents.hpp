@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 #include "edgeproof/contact/enclosure/ball_extent.hpp"
+#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "tests/contact/scenes.hpp"
 
 #include <map>

@@ -37,59 +37,6 @@ bool holds(const Ball& x, const char* decimal, long slack_digits) {
     return certainly_less(abs(x - exact), Ball(slack, x.bits()));
 }
 
-/// Compares jets with values: second-order Taylor with a step so small that its remainder is below
-/// 1e-18.
-void check_jet(const ErrorFamily& family, const Rational& u, const Rational& parameter) {
-    constexpr long bits = 300;
-    const Rational h(1, 10'000'000'000L);
-    const auto value = [&](const Rational& x, const Rational& t) {
-        return family.over(Ball(t, bits)).at(Ball(x, bits));
-    };
-    const Jet jet = family.over(Ball(parameter, bits)).jet(Ball(u, bits));
-    const Ball tiny(Rational(1, 1'000'000'000'000L), bits);
-    const auto close = [&](const Ball& x, const Ball& y) {
-        CHECK(x.is_finite());
-        CHECK(certainly_less(abs(x - y), tiny * (abs(y) + 1)));
-    };
-    const Ball two_h(Rational(2 * h), bits);
-    const Ball hh(Rational(h * h), bits);
-    const Rational t = parameter;
-    close(jet.v, value(u, t));
-    close(jet.g[0], (value(u + h, t) - value(u - h, t)) / two_h);
-    close(jet.g[1], (value(u, t + h) - value(u, t - h)) / two_h);
-    close(jet.h[0], (value(u + h, t) - value(u, t) * 2 + value(u - h, t)) / hh);
-    close(jet.h[2], (value(u, t + h) - value(u, t) * 2 + value(u, t - h)) / hh);
-    close(jet.h[1],
-          (value(u + h, t + h) - value(u + h, t - h) - value(u - h, t + h) + value(u - h, t - h)) /
-              (hh * 4));
-}
-
-/// Returns g' of Profile::tilted_flat_and_rounded with alpha = 1/10, R = 2 and the flat's
-/// half-length t.
-ParametricSlope punch_of_flat(const std::string& t) {
-    const auto e = [&](const std::string& text) { return in(text, {t}); };
-    ParametricSlope s;
-    s.knots = {e("-1/5 - 2*" + t), e("-1/5"), e("0")};
-    s.pieces = {{e(t), e("1/2")}, {e("-1/10"), e("0")}, {e("0"), e("1/2")}, {e("0"), e("1/2")}};
-    s.corners = {false, false, false};
-    s.origin = 2;
-    return s;
-}
-
-/// Compares with the enclosures of contact/enclosure, which share no formula with these.
-void check_error(const ErrorFamily& family, const Profile& profile, const Load& load, Edge edge,
-                 std::size_t terms, const Rational& parameter) {
-    const BallContact contact(profile, Exact::of(1), load, 256);
-    const RelativeError f(contact, edge, terms, Exact::of(Rational(1, 100)));
-    const auto here = family.over(Ball(parameter, 256));
-    for (const Rational& u : {Rational(1, 1000), Rational(1, 7), Rational(3, 5)}) {
-        const Rational at = u * exact_value(f.length().midpoint());
-        const Ball mine = here.at(Ball(at, 256) / f.length());
-        CHECK(overlaps(mine, f.at(at)));
-        CHECK(mine.relative_accuracy_bits() > 180);
-    }
-}
-
 /// The first exit over a + b by the search of `edgeproof extent`, which shares no formula with a
 /// design.
 Ball reach_of_power_law(const Rational& m, std::size_t n, const Rational& tolerance) {
@@ -149,33 +96,6 @@ BallSeries reciprocal_by_arb(const Rational& z, const Rational& b, long bits) {
 }
 
 } // namespace
-
-TEST_CASE("design: the error as a function of a parameter is that of the contact") {
-    const auto exponent = power_law_errors(in("m", {"m"}), {}, about(3));
-    for (const Rational& m : {Rational(2, 3), Rational(1, 10), Rational(5, 2)}) {
-        check_error(exponent, Profile::power_law(Exact::of(1), Exact::of(m)),
-                    Load::right_edge(Exact::of(1)), Edge::right, 3, m);
-    }
-    for (const Edge edge : {Edge::right, Edge::left}) {
-        for (const bool by_force : {false, true}) {
-            ParametricLoad load;
-            load.contact_modulus = in("1", {});
-            (by_force ? load.P : load.a) = in("1/4", {});
-            const auto flat = linear_slope_errors(punch_of_flat("t"), load, about(2, edge));
-            const Exact quarter = Exact::of(Rational(1, 4));
-            check_error(flat,
-                        Profile::tilted_flat_and_rounded(Exact::parse("1/10"), Exact::parse("1/3"),
-                                                         Exact::of(2)),
-                        by_force ? Load::force(quarter) : Load::right_edge(quarter), edge, 2,
-                        Rational(1, 3));
-            check_jet(flat, Rational(1, 6), Rational(1, 3));
-        }
-    }
-    check_jet(exponent, Rational(1, 6), Rational(2, 3));
-    check_jet(exponent, Rational(2, 5), Rational(2, 3));
-    check_jet(full_stick_errors(in("1", {}), in("s", {"s"}), in("2", {}), about(2)), Rational(1, 3),
-              Rational(1, 2));
-}
 
 TEST_CASE("design: the exponent for which one term reaches farthest" *
           doctest::test_suite("slow")) {

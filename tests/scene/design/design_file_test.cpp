@@ -2,6 +2,7 @@
 #include "edgeproof/scene/design/design_file.hpp"
 
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/scene/input/scene_words.hpp"
 #include "tests/scene/scene_words.hpp"
 
 #include <doctest/doctest.h>
@@ -54,6 +55,35 @@ TEST_CASE("a design scene of every kind of power law") {
         CHECK(design.errors(why).size() == 1);
         if (range.starts_with("hertz")) {
             CHECK(contains(run_design(design, {}).best.reach, Rational(41, 441)));
+        }
+    }
+}
+
+// The search of `edgeproof extent` shares no formula with a design.
+TEST_CASE("no other value of a parameter reaches farther, by the extents of its scenes") {
+    for (const std::string load : {" a=1/4", " P=1/4"}) {
+        for (const std::string edge : {"right", "left"}) {
+            for (const std::string words :
+                 {"tilted-flat-and-rounded alpha=1/10 R=2 t=={from=\"1/4\",to=\"1/2\"}",
+                  "power-law C=1 m=={from=\"3/2\",to=\"5/2\"}"}) {
+                CAPTURE(words + load + edge);
+                const DesignScene design = designed(
+                    words + load + " design.tolerance=5% design.terms==2 design.edge=" + edge);
+                const BestReach best = run_design(design, {}).best;
+                CHECK(best.proved);
+                const auto reach = [&](const Rational& value) {
+                    const AskedValue asked =
+                        asked_value("extent_fraction_2", {{"edge", edge}, {"tolerance", "5%"}}, {});
+                    SceneValues values(design.at(value), {asked}, {20});
+                    return values.value(asked).value;
+                };
+                CHECK(overlaps(reach(*best.shown_at), best.shown_reach));
+                for (long k = 0; k <= 6; ++k) {
+                    const Rational width = design.range.to - design.range.from;
+                    CHECK(certainly_less(reach(design.range.from + width * Rational(k, 6)),
+                                         best.shown_reach + Ball(Rational(1, 1'000'000), 128)));
+                }
+            }
         }
     }
 }

@@ -108,17 +108,6 @@ TEST_CASE("places at edges and corners that are not known numbers") {
     CHECK(hertz("1")(Edge::right, 2) == 0);
 }
 
-TEST_CASE("an array of places is the places one by one") {
-    const Binary64Values half(made("power-law m=1/2 C=1 a=1 E=7/3"));
-    const std::vector<double> u{0, 1e-20, 0.25, 1, 1.5, 2, 3};
-    std::vector<double> p(u.size(), -1);
-    half(Edge::left, u, p);
-    for (std::size_t i = 0; i < u.size(); ++i) {
-        CHECK(p[i] == half(Edge::left, u[i]));
-    }
-    CHECK(p[3] == *std::ranges::max_element(p)); // in the middle
-}
-
 // p = sqrt(1 - x^2)/2 (johnson1985): sqrt(3)/4 at x = 1/2; q = Q/(pi sqrt(1 - x^2)) with Q = pi/4
 // (moore-hills, eqn:Shear_Adhered): 1/(2 sqrt(3)). p_1 = sqrt(u/2) = 1/2 and p_1/p = 2/sqrt(3) at
 // u = 1/2; at u = 2^-500 the error is u/4.

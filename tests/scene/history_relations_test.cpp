@@ -146,37 +146,6 @@ TEST_CASE("the resultant of the traction after a load history is Q") {
     CHECK(std::abs(sum - 0.25) < 1e-4);
 }
 
-// A step that leaves out a load keeps that of the step before, also in later passes.
-TEST_CASE("cycles repeat the steps from one to the last") {
-    const std::string pass = " [P=1.25] [Q=-1/4]";
-    const Scene by_cycles = made("hertz R=2 friction=1/2 [P=1] [Q=0.3,cycles=3]" + pass);
-    const Scene explicitly =
-        made("hertz R=2 friction=1/2 [P=1] [Q=0.3]" + pass + " [Q=0.3]" + pass + " [Q=0.3]" + pass);
-    REQUIRE(by_cycles.steps.size() == 10);
-    REQUIRE(explicitly.steps.size() == 10);
-    for (std::size_t i = 0; i < 10; ++i) {
-        CHECK(by_cycles.steps[i].P == explicitly.steps[i].P);
-        CHECK(by_cycles.steps[i].Q == explicitly.steps[i].Q);
-    }
-    CHECK(by_cycles.steps[4].P.text() == "1.25");
-    CHECK(layers_of(by_cycles) == layers_of(explicitly));
-}
-
-// Return-point memory: at constant P each pass ends in the state of the first. The layers by hand:
-// from 0.4 (slip outside L = 1/5) down by 0.6 (outside 2/5), then up by 0.3 (outside 7/10).
-TEST_CASE("at constant P the first cycle is the steady state") {
-    for (const std::string cycles : {"1", "2", "5"}) {
-        const LoadPath layers = layers_of(
-            made("hertz R=2 friction=1/2 [P=1] [Q=0.4,cycles=" + cycles + "] [Q=-0.2] [Q=0.1]"));
-        const LoadPath by_hand{{0.2, 0}, {0.4, 0.5}, {0.7, -0.5}, {1, 0.5}};
-        REQUIRE(layers.size() == 4);
-        for (std::size_t j = 0; j < 4; ++j) {
-            CHECK(layers[j].first == doctest::Approx(by_hand[j].first));
-            CHECK(layers[j].second == doctest::Approx(by_hand[j].second));
-        }
-    }
-}
-
 namespace {
 
 /// Each step of a path divided into 16 parts.

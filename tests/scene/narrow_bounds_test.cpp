@@ -135,21 +135,6 @@ TEST_CASE("a curved slope under P, not symmetric: all that follows from both edg
                  curved_ask + ";extent") == "");
 }
 
-TEST_CASE("hypot and atan2 are written with analytic functions") {
-    for (const auto& pair :
-         {std::pair{"hypot(1,x)-1", "sqrt(1+x^2)-1"}, {"atan2(x,1)", "atan(x)"}}) {
-        const char* const given = pair.first;
-        const char* const plain = pair.second;
-        CAPTURE(given);
-        const auto words = [](const std::string& slope) {
-            return "piecewise symmetric slopes=" + slope + " a=3/4" + curved_ask;
-        };
-        CHECK(faults(words(given)) == "");
-        CHECK(overlaps(run_scene(made(words(given))).points()[1].at(Quantity::p).value,
-                       run_scene(made(words(plain))).points()[1].at(Quantity::p).value));
-    }
-}
-
 // P of flat-and-rounded at a = 1, t = 1/3 is (acos(1/3) - sqrt(8)/9)/2. The algebra does not know
 // that acos(1/3) = atan(sqrt(8)), and no number of bits distinguishes a from 1.
 TEST_CASE("an edge on a knot that cannot be proved: p is proved, and its series is refused") {
@@ -171,15 +156,6 @@ TEST_CASE("an edge on a knot that cannot be proved: p is proved, and its series 
     }
     CHECK(overlaps(result.points()[0].at(Quantity::p).value,
                    known.points()[0].at(Quantity::p).value));
-}
-
-TEST_CASE("no first exit in the part: the result states it") {
-    // One term differs by 1 % at u = 402/10201 (2 (1 - 1.01^-2)), which is beyond 2/100.
-    const SceneResult result =
-        run_scene(made("hertz R=1 a=1 terms=1 tolerance=1% part=0;1/100 quantities=extent"));
-    const RowsAt extent = result.at_edges(QuantityGroup::extent).at(0);
-    CHECK_FALSE(extent.row(Quantity::extent, 1).reached);
-    CHECK(extent.find(Quantity::crossing, 1) == nullptr);
 }
 
 TEST_CASE("0 has the bound 0 only for values that are known to be 0") {

@@ -102,21 +102,3 @@ TEST_CASE("the series of the stresses at the left edge are those of the mirror i
     }
     CHECK(!contains_zero(one[1].values[2].value));
 }
-
-// Without shear sxx = szz = -p on the contact, and sxz = 0 (`johnson1985`, eq. 2.24).
-TEST_CASE("terms of the stresses near an edge that vanish are exactly 0") {
-    const auto terms = ray_terms(ray_scene(ray_contacts.front()), Body::A, Exact::parse("0"), 4);
-    const auto zero = [&](std::size_t j, std::size_t i) {
-        return terms[j].values[i].exactly == Rational(0);
-    };
-    CHECK((zero(0, 0) && zero(0, 1) && zero(0, 2)));
-    CHECK((!zero(1, 0) && !zero(1, 1) && zero(1, 2)));
-    CHECK((zero(2, 1) && zero(2, 2)));
-    CHECK(overlaps(terms[1].values[0].value, terms[1].values[1].value));
-}
-
-TEST_CASE("expansions of stresses that are not computed are refused") {
-    CHECK_THROWS_WITH_AS(
-        (void)ray_terms(ray_scene("sphere R=1 a=1 nu=0.3"), Body::A, Exact::parse("45"), 3),
-        doctest::Contains("the stresses near an edge are expanded for plane contacts"), InputError);
-}

@@ -45,15 +45,6 @@ TEST_CASE("ranges of u: both ends exactly, the same on every machine") {
     CHECK(even.ask.u[3].u.rational() == Rational(7, 10));
 }
 
-TEST_CASE("tolerances: 1%, 0.01 and 1/100 are one") {
-    for (const char* text : {"1%", "0.01", "1/100", "1e-2"}) {
-        CHECK(Exact(parse_tolerance(text).expr() - Exact::parse("1/100").expr()).sign() == 0);
-    }
-    for (const char* bad : {"0", "0%", "-1%", "", "%", "one"}) {
-        CHECK_THROWS_AS((void)parse_tolerance(bad), InputError);
-    }
-}
-
 TEST_CASE("a scene from entries is the one that a file with the same text gives") {
     Scene made = make_scene(wedge_tables(), "A wedge");
     Scene read = scenes::made("tilted-wedge phi=0.1 alpha=0.02 a=2 u=1/3");

@@ -98,30 +98,3 @@ TEST_CASE("extents of the same number of terms twice, at both edges: as many row
               }) == 2);
     }
 }
-
-TEST_CASE("the first exit covers the process zone, or not") {
-    // 2 (1 - 1.01^-2) = 0.0394...
-    Scene scene = made(cylinder + " terms=1 tolerance=1% process_zone=0.039");
-    const SceneResult result = run_scene(scene);
-    const BoundedValue exit = result.at_edges(QuantityGroup::extent).at(0).at(Quantity::extent, 1);
-    CHECK(covers_zone(scene, exit));
-    scene.ask.process_zone = Exact::parse("0.0395");
-    CHECK_FALSE(covers_zone(scene, exit));
-}
-
-TEST_CASE("a point is shown as it was given; mises needs Poisson's ratio") {
-    const Scene scene = made("power-law m=1 C=1 a=2 u=a/2;50%;pi/4;1e-3 x=a/2;-1/3");
-    const SceneResult result = run_scene(scene);
-    std::vector<std::string> asked;
-    for (const RowsAt& point : result.points()) {
-        asked.push_back(scene.ask.u[point.point()].text());
-    }
-    CHECK(asked == std::vector<std::string>{"a/2", "50%", "pi/4", "1e-3", "x = a/2", "x = -1/3"});
-    CHECK(result.points()[1].row(Quantity::x).asked.u->text() == "2");
-    for (const std::string nu : {"0.3", ""}) {
-        const SceneResult stresses = run_scene(made("hertz R=1 a=1 points=0,1 nu=" + nu));
-        const RowsAt at = stresses.at_places(QuantityRow::Place::body).at(0);
-        CHECK(at.find(Quantity::sxx) != nullptr);
-        CHECK((at.find(Quantity::mises) == nullptr) == nu.empty());
-    }
-}

@@ -109,7 +109,7 @@ TEST_CASE("CalculiX: gap and sxx are compared with the textbook's") {
 }
 
 TEST_CASE("CalculiX: c_0 of 60 elements has an honest spread") {
-    // calculix.py hertz.toml --elements 60; c_0 = p_0 sqrt(2/a) (Johnson, eq. 4.45).
+    // calculix.py hertz.toml --elements 60, in |x| <= 1; c_0 = p_0 sqrt(2/a) (Johnson, eq. 4.45).
     const Scene scene =
         read_scene(test::source_dir() / "examples" / "third-party" / "solvers" / "hertz.toml");
     const auto file = test::source_dir() / "tests" / "comparison" / "calculix" / "hertz-60.csv";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "edgeproof/io/foreign_text.hpp"
 #include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "tests/cli/run_program.hpp"
@@ -8,36 +9,11 @@
 #include <algorithm>
 #include <random>
 #include <set>
-#include <sstream>
 
 using namespace edgeproof;
 using namespace edgeproof::test;
 
 namespace {
-
-/// Returns the cells of a line of CSV in which no cell has a comma of its own.
-std::vector<std::string> cells_of_line(const std::string& line) {
-    std::vector<std::string> list;
-    std::istringstream in(line);
-    for (std::string cell; std::getline(in, cell, ',');) {
-        list.push_back(cell);
-    }
-    if (line.ends_with(',')) {
-        list.emplace_back();
-    }
-    return list;
-}
-
-/// The rows without notes; the head comes first.
-std::vector<std::vector<std::string>> cells_of_table(const std::string& csv) {
-    std::vector<std::vector<std::string>> list;
-    for (const std::string& line : lines(csv)) {
-        if (!line.starts_with('#')) {
-            list.push_back(cells_of_line(line));
-        }
-    }
-    return list;
-}
 
 bool is_numeric(const std::string& column) {
     static const std::set<std::string> texts{"edge",     "asked",     "state",       "body",
@@ -57,14 +33,15 @@ bool is_one_number(const std::string& cell) {
 /// Checks all numeric cells; returns how many are not empty.
 int check_cells(const std::string& csv) {
     int numbers = 0;
-    const auto table = cells_of_table(csv);
-    for (std::size_t i = 1; i < table.size(); ++i) {
-        REQUIRE(table[i].size() == table[0].size());
-        for (std::size_t j = 0; j < table[i].size(); ++j) {
-            const std::string& cell = table[i][j];
-            CAPTURE(table[0][j]);
+    const io::Csv table = io::parse_csv(csv, "table");
+    const std::vector<std::string>& columns = table.header.cells;
+    for (const io::Csv::Row& row : table.rows) {
+        REQUIRE(row.cells.size() == columns.size());
+        for (std::size_t j = 0; j < columns.size(); ++j) {
+            const std::string& cell = row.cells[j];
+            CAPTURE(columns[j]);
             CAPTURE(cell);
-            if (is_numeric(table[0][j]) && !cell.empty()) {
+            if (is_numeric(columns[j]) && !cell.empty()) {
                 CHECK(is_one_number(cell));
                 ++numbers;
             }

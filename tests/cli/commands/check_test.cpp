@@ -4,7 +4,6 @@
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,22 +16,6 @@ const std::string header = "id,kind,m,C,a,contact_modulus,quantity,edge,u,value\
 const std::string hertz_cells = ",power-law,1,1,1,1,";
 
 } // namespace
-
-TEST_CASE("check: answers in UTF-16") {
-    const Folder folder;
-    const std::string text =
-        header + "1" + hertz_cells + "p,right,0.2,0.3\n2" + hertz_cells + "p,right,0.4,0.4\n";
-    std::string bytes = "\xFF\xFE";
-    for (const char c : text) {
-        bytes += {c, '\0'};
-    }
-    folder.write("a.csv", text);
-    folder.write("wide.csv", bytes);
-    const Outcome plain = run(folder, "check a.csv");
-    CHECK(plain.code == 0);
-    CHECK(run(folder, "check wide.csv").out == plain.out);
-    CHECK(run(folder, "check wide.csv --only '*'").code == 0);
-}
 
 TEST_CASE("check: control characters in answers are shown, and the report is complete") {
     const Folder folder;
@@ -81,40 +64,6 @@ TEST_CASE(
     const Outcome none = run(folder, "check a.csv --errors 0");
     CHECK(failing_rows(none) == 0);
     CHECK(has(none.out, "\n9 more (--errors shows more of them)"));
-}
-
-TEST_CASE("check --json: the outcome, and the cause by its name") {
-    const Folder folder;
-    const auto answers = [](double modulus) {
-        std::string text = "id,kind,m,C,a,E1,nu1,E2,nu2,quantity,edge,u,value\n";
-        for (const double u : {0.125, 0.25, 0.5, 1.0, 1.5}) {
-            text += fmt::format("{0},power-law,1,1,1,200,0.3,70,0.2,p,right,{0},{1:.17g}\n", u,
-                                modulus * std::sqrt(u * (2 - u)) / 2);
-        }
-        return text;
-    };
-    const double modulus = 1 / (0.91 / 200 + 0.96 / 70);
-    folder.write("right.csv", answers(modulus));
-    folder.write("e.csv", answers(200));
-    folder.write("minus.csv", answers(-modulus));
-    const Outcome right = run(folder, "check right.csv --digits 12 --json");
-    CHECK(right.code == 0);
-    auto found = nlohmann::json::parse(right.out);
-    CHECK(found.erase("program") == 1);
-    CHECK(found ==
-          nlohmann::json::parse(R"({"passes": true, "rows": 5, "failures": 0, "causes": []})"));
-    const Outcome wrong = run(folder, "check e.csv --digits 12 --json");
-    CHECK(wrong.code == 1);
-    const nlohmann::json e = nlohmann::json::parse(wrong.out);
-    CHECK(e.at("failures") == 5);
-    REQUIRE(e.at("causes").size() == 1);
-    CHECK(e.at("causes")[0].at("name") == "e-for-e-star");
-    CHECK(e.at("causes")[0].at("rows") == 5);
-    CHECK(e.at("causes")[0].at("remainder") < 1e-12);
-    const nlohmann::json sign =
-        nlohmann::json::parse(run(folder, "check minus.csv --digits 12 --json").out);
-    CHECK(sign.at("causes")[0].at("name") == "sign");
-    CHECK(sign.at("causes")[0].at("factor") == -1);
 }
 
 TEST_CASE("check --exec: the standard error of a program is handed on, and is the cause if nothing "

@@ -42,11 +42,8 @@ if(NOT commands MATCHES " -ffp-contract=off ")
 endif()
 file(READ ${here}/expected.txt expected)
 expect_output(build/consumer "${expected}")
-# The same without naming modules.
-build_outside(${here}/whole whole)
-file(READ ${here}/whole/expected.txt expected)
-expect_output(whole/whole "${expected}")
 
+# The examples name one module, several, or none (edgeproof::edgeproof).
 build_outside(${WORK}/installed/share/edgeproof/examples/cpp examples)
 foreach(example proved_pressure coefficients extent table_in_threads ledger)
     execute_process(COMMAND ${EXAMPLES}/${example} OUTPUT_VARIABLE inside)

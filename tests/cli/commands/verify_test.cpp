@@ -60,6 +60,9 @@ TEST_CASE("verify: a bad list of figures is refused before the audit, with its p
     for (const auto& row :
          {std::pair{figure + "panel = \"error\"\nscenes = []\n", "figures/own.toml:5: there is no"},
           {figure + "panel = \"errors\"\nscenes = [\"none.toml\"]\n", "figures/none.toml: "},
+          {figure + "panel = \"errors\"\nscenes = []\n" + figure +
+               "panel = \"errors\"\nscenes = []\n",
+           "figures/own.toml:8: f is there twice"},
           {std::string("residuals = [\"tilted.toml\"]\n"),
            "figures/tilted.toml:5: the tilt of this scene is not given"}}) {
         const std::string& text = row.first;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/report/figures/audit_figures.hpp"
 
-#include "edgeproof/precision/error.hpp"
 #include "edgeproof/precision/rounding/text.hpp"
 #include "edgeproof/report/text/program_line.hpp"
 #include "tests/support/folder.hpp"
@@ -11,7 +10,6 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <filesystem>
 #include <functional>
 #include <set>
 #include <string>
@@ -111,22 +109,6 @@ TEST_CASE("every figure of the paper is there, and another paper has none") {
     CHECK(panels.size() == 18);
     CHECK(figures().residuals.size() == 10);
     CHECK(figures_of_source("another.toml").printed.empty());
-    const test::Folder own;
-    std::filesystem::create_directory(own.path() / "figures");
-    const auto problem = [&](const std::string& text) {
-        own.write("figures/own.toml", text);
-        try {
-            (void)figures_of_source(own.path() / "own.toml");
-        } catch (const InputError& error) {
-            return error.problem();
-        }
-        return std::string();
-    };
-    const std::string one = "[[figure]]\nid = \"f\"\ntitle = \"\"\ncaption = \"\"\nscenes = []\n";
-    CHECK(problem(one + "panel = \"errors\"\n").empty());
-    CHECK(problem(one + "panel = \"error\"\n") == "there is no panel 'error'");
-    CHECK(problem(one + "panel = \"errors\"\n" + one + "panel = \"errors\"\n") ==
-          "f is there twice");
 }
 
 TEST_CASE("residual fit: the tables have the slopes that the legends state") {

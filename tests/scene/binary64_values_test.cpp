@@ -35,7 +35,6 @@ std::vector<double> computed_at(const std::string& words, const Binary64Question
     return values;
 }
 
-const Binary64Question p_by_x{.quantity = Quantity::p, .from_origin = true};
 const Binary64Question q_by_x{.quantity = Quantity::q, .from_origin = true};
 
 } // namespace
@@ -106,34 +105,6 @@ TEST_CASE("places at edges and corners that are not known numbers") {
     CHECK(hertz("1+1e-300")(Edge::left, 2) == 1e-150);
     CHECK(hertz("1-1e-300")(Edge::right, 2) == 0);
     CHECK(hertz("1")(Edge::right, 2) == 0);
-}
-
-// p = sqrt(1 - x^2)/2 (johnson1985): sqrt(3)/4 at x = 1/2; q = Q/(pi sqrt(1 - x^2)) with Q = pi/4
-// (moore-hills, eqn:Shear_Adhered): 1/(2 sqrt(3)). p_1 = sqrt(u/2) = 1/2 and p_1/p = 2/sqrt(3) at
-// u = 1/2; at u = 2^-500 the error is u/4.
-TEST_CASE("arrays by x, under full stick, sums of terms and errors: by hand") {
-    const std::string plain = "hertz R=1 a=1";
-    const std::string stuck = plain + " Q=pi/4";
-    using Values = std::vector<double>;
-    CHECK(computed_at(plain, p_by_x, {0, 0.5, -0.5, 1, -1, 2, infinite, -infinite}) ==
-          Values{0.5, 0.4330127018922193, 0.4330127018922193, 0, 0, 0, 0, 0});
-    CHECK(computed_at("power-law m=0 C=1 a=1", p_by_x, {0})[0] == infinite);
-    CHECK(computed_at(stuck, q_by_x, {0, 0.5, -0.5, 3}) ==
-          Values{0.25, 0.28867513459481287, 0.28867513459481287, 0});
-    Binary64Question question{.quantity = Quantity::local, .n = 1};
-    CHECK(computed_at(plain, question, {0.5, 2e-100}, Edge::left) == Values{0.5, 1e-50});
-    for (const double outside : {2.0, -1.0}) {
-        CHECK_THROWS_AS(computed_at(plain, question, {outside}, Edge::left), InputError);
-    }
-    question.quantity = Quantity::rel;
-    CHECK(computed_at(plain, question, {0.5, 0x1p-500}, Edge::left) ==
-          Values{0.15470053837925152, 0x1p-502});
-    question.from_origin = true;
-    CHECK(computed_at(plain, question, {-0.5}, Edge::left)[0] == 0.15470053837925152);
-    CHECK_THROWS_AS(computed_at(plain, {.quantity = Quantity::local}, {0.5}), InputError);
-    CHECK_THROWS_AS(computed_at(stuck, q_by_x, {1}), InputError); // infinite at an edge
-    CHECK_THROWS_AS(computed_at(plain, q_by_x, {0}), InputError); // no shear
-    CHECK_THROWS_AS(computed_at(stuck, q_by_x, {no_number}), DomainError);
 }
 
 TEST_CASE("arrays of a history and of axisymmetric profiles are those of single values") {

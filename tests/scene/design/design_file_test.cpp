@@ -88,34 +88,6 @@ TEST_CASE("no other value of a parameter reaches farther, by the extents of its 
     }
 }
 
-TEST_CASE("a design scene with keys in place of its own") {
-    using io::TomlEntry;
-    const auto asked = [](const std::string& text, const std::vector<TomlEntry>& design) {
-        return parse_design(text, "pad.toml", {{"design", 0, design}});
-    };
-    const std::string text = toml_of(flat_of_range + " design.terms==2 design.edge=left");
-    const auto as_written = asked(text, {});
-    CHECK(as_written.terms == 2);
-    CHECK(as_written.edges == std::vector{Edge::left});
-    const std::vector<TomlEntry> all{
-        {"maximise", "measure"}, {"tolerance", "1/100"}, {"edge", "both"}, {"terms", "3"}};
-    const auto otherwise = asked(text, all);
-    CHECK(otherwise.objective == DesignObjective::measure);
-    CHECK(otherwise.tolerance.rational() == Rational(1, 100));
-    CHECK(otherwise.edges.size() == 2);
-    CHECK(otherwise.terms == 3);
-    // A wrong value of a key that is replaced is no error, but an unknown key is.
-    CHECK(asked(toml_of(flat_of_range + " design.edge=top"), {{"edge", "right"}}).edges.size() ==
-          1);
-    CHECK_THROWS_WITH_AS((void)asked(toml_of(flat_of_range + " design.edges=left"), all),
-                         doctest::Contains("pad.toml:10"), InputError);
-    // The file has no table [design].
-    const std::string bare = text.substr(0, text.find("[design]"));
-    CHECK(asked(bare, {{"tolerance", "1/100"}}).terms == 1);
-    CHECK_THROWS_WITH_AS((void)parse_design(bare, "pad.toml"),
-                         doctest::Contains("there is no [design]"), InputError);
-}
-
 // For a cylinder p = c_0 sqrt(u) sqrt(1 - u/2a), so that the error of one term is e at u/2a = 1 -
 // 1/(1 + e)^2. A steeper slope farther out (k > 0) only reduces the reach.
 TEST_CASE("design over a curved slope: the best of the values tried, called an estimate" *

@@ -148,18 +148,3 @@ TEST_CASE("a value in words") {
     CHECK(edge_named("left") == Edge::left);
     CHECK_FALSE(edge_named("top"));
 }
-
-TEST_CASE("what a scene lacks for a quantity") {
-    const Scene plain = made("hertz R=1 a=1");
-    const Scene sheared = made("hertz R=1 a=1 Q=3/10");
-    CHECK_FALSE(lack_of(plain, {Quantity::p}));
-    CHECK_FALSE(lack_of(sheared, {Quantity::s, 2}));
-    CHECK(lack_of(plain, {Quantity::s, 2})->problem == "s_2 is requested, but there is no shear");
-    CHECK(lack_of(plain, {Quantity::s, 2})->instead == "add Q or bulk_tension, or leave s_2 out");
-    CHECK(lack_of(plain, {Quantity::alpha})->problem ==
-          "alpha is requested, but is not an unknown of the scene");
-    CHECK_FALSE(lack_of(made("tilted-wedge phi=1/10 P=1 M=0"), {Quantity::alpha}));
-    CHECK(lack_of(sheared, {Quantity::slip})->problem ==
-          "slip is requested, but there is no friction");
-    CHECK_FALSE(lack_of(made("hertz R=1 a=1 Q=3/10 friction=1"), {Quantity::stick_a}));
-}

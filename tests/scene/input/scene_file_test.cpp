@@ -6,16 +6,6 @@
 
 using namespace edgeproof::scenes;
 
-namespace {
-
-std::vector<edgeproof::io::TomlTable> wedge_tables() {
-    return {{"profile", 0, {{"kind", "tilted-wedge"}, {"phi", "0.1"}, {"alpha", "0.02"}}},
-            {"load", 0, {{"a", "2"}, {"contact_modulus", "1"}}},
-            {"shear", 0, {}}};
-}
-
-} // namespace
-
 TEST_CASE("numbers mean exactly what is written, quoted or not") {
     const Scene scene =
         made("flat-and-rounded t=0.4 R=1 a==1.25 E=2.1e11 u==[0.1,\"1e-300\",\"1/3\",\"pi/16\"]");
@@ -45,19 +35,6 @@ TEST_CASE("ranges of u: both ends exactly, the same on every machine") {
     CHECK(even.ask.u[3].u.rational() == Rational(7, 10));
 }
 
-TEST_CASE("a scene from entries is the one that a file with the same text gives") {
-    Scene made = make_scene(wedge_tables(), "A wedge");
-    Scene read = scenes::made("tilted-wedge phi=0.1 alpha=0.02 a=2 u=1/3");
-    CHECK(made.title == "A wedge");
-    CHECK(made.file.empty());
-    made.ask = read.ask;
-    const SceneResult x = run_scene(made);
-    const SceneResult y = run_scene(read);
-    CHECK(printed(x.points()[0].at(Quantity::p), {}).text ==
-          printed(y.points()[0].at(Quantity::p), {}).text);
-    CHECK(printed(x.at(Quantity::b), {}).text == printed(y.at(Quantity::b), {}).text);
-}
-
 TEST_CASE("every kind of entry is written as TOML") {
     const std::vector<edgeproof::io::TomlTable> entries{
         {"profile",
@@ -77,24 +54,4 @@ TEST_CASE("every kind of entry is written as TOML") {
     CHECK(scene.shear.has_value());
     const std::string title = "a \"b\" \\ c";
     CHECK(make_scene(entries, title).title == title);
-}
-
-TEST_CASE("a refusal names no file and no line") {
-    auto bad = wedge_tables();
-    bad[1].entries[0].value = "-2";
-    try {
-        (void)make_scene(bad);
-        FAIL("a = -2 is taken");
-    } catch (const InputError& error) {
-        CHECK(error.file().empty());
-        CHECK(error.line() == 0);
-        CHECK(error.problem() == "a = -2 is not positive");
-    }
-    bad = wedge_tables();
-    bad[1].entries[0].value = "2\"\nP = \"3";
-    CHECK_THROWS_WITH_AS((void)make_scene(bad),
-                         "a holds a control character; write a number or a word", InputError);
-    bad = wedge_tables();
-    bad[0].entries[1].key = "psi";
-    CHECK_THROWS_AS((void)make_scene(bad), InputError);
 }

@@ -59,6 +59,21 @@ inline constexpr double least_gain = 4;
 /// The relative standard error of the median of some numbers, from their |errors|.
 [[nodiscard]] double error_of_median(std::vector<double> about);
 
+/// A number that is fitted to data, with its standard error from their scatter.
+struct FittedFactor {
+    double value = 1;
+    double error = 0;
+
+    [[nodiscard]] std::string text() const; ///< with the digits that the data determine
+};
+/// The relative differences of data from the values with a factor; NaN without a value.
+using Residuals = std::function<std::vector<double>(double)>;
+/// The factor, of 1/10 to 10, for which the sum of the absolute differences is least: that of some
+/// data by trial and golden section, then that of all by the weighted median of their own factors.
+/// Returns nothing if half of some data differ by more than most_scatter.
+[[nodiscard]] std::optional<FittedFactor> fitted_factor(const Residuals& of_some,
+                                                        const Residuals& of_all);
+
 /// Measures what remains; rows without a value of the cause are not changed by it. There must be
 /// one row or more.
 [[nodiscard]] Fit remainder_of(Remainders rows);
@@ -73,6 +88,9 @@ inline constexpr double least_gain = 4;
                                         const std::optional<double>& allowance = {});
 /// True if what remains is noise, or within the allowance, and has no common factor.
 [[nodiscard]] bool is_noise(const Fit& fit, double allowance);
+
+/// True if what remains scatters as noise does, or no more than the numbers do.
+[[nodiscard]] bool is_accurate(const Fit& fit, double noise);
 
 /// The mean square of what remains, relative to `scatter`; outliers are limited.
 [[nodiscard]] double misfit(const Fit& fit, double scatter);
@@ -178,6 +196,8 @@ struct Mistake {
 /// The possible mistakes in the moduli, the profile and the load. The changed scene need not have a
 /// contact. The functions do not refer to `scene`.
 [[nodiscard]] std::vector<Mistake> contact_mistakes(const scene::Scene& scene);
+/// Multiplies the load that a scene gives, at each step of a history, and its moment.
+void scale_load(scene::Scene& scene, const Rational& factor);
 /// The possible mistakes in [shear], for a scene that has it.
 [[nodiscard]] std::vector<Mistake> shear_mistakes(const scene::Scene& scene);
 

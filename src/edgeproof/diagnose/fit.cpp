@@ -183,6 +183,10 @@ bool is_noise(const Fit& fit, double allowance) {
            !has_common_factor(fit.off, 0, allowance);
 }
 
+bool is_accurate(const Fit& fit, double noise) {
+    return fit.noise_like.value_or(fit.held <= std::max(same_value, 3 * noise));
+}
+
 double misfit(const Fit& fit, double scatter) {
     const double unit = std::max(scatter, rounding);
     constexpr double most = 5;
@@ -250,9 +254,7 @@ bool constant_is_better(const Fit& constant, const std::vector<Candidate>& named
 bool constant_is_possible(const Fit& constant, const std::vector<Candidate>& named, double noise) {
     const double two_deviations = 4 / static_cast<double>(constant.off.size());
     const double unit = std::max(constant.scatter, noise);
-    const double unscattered = std::max(same_value, 3 * noise);
-    return constant.noise_like.value_or(constant.held <= unscattered) &&
-           std::ranges::all_of(named, [&](const Candidate& c) {
+    return is_accurate(constant, noise) && std::ranges::all_of(named, [&](const Candidate& c) {
                const bool common = c.rank == Candidate::common_factor;
                return misfit(constant, unit) <=
                       misfit(c.fit, unit) + (common ? -two_deviations : two_deviations);

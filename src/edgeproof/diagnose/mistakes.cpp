@@ -199,6 +199,15 @@ void change_profile(Scene& scene, const Keys& keys, const Wrong& wrong) {
     }
 }
 
+/// Changes the load as the scene gives it (change_given()).
+void change_load(Scene& scene, const Wrong& wrong) {
+    if (scene.history) {
+        change_steps(scene, [&](LoadStep& step) { step.P = wrong(step.P); });
+    } else {
+        scene.load.value = wrong(scene.load.value);
+    }
+}
+
 /// Collects the mistakes of one scene.
 class Catalogue {
 public:
@@ -322,25 +331,18 @@ private:
         }
     }
     void loads() {
-        const auto set_load = [](Scene& s, const Wrong& wrong) {
-            if (s.history) {
-                change_steps(s, [&](LoadStep& step) { step.P = wrong(step.P); });
-            } else {
-                s.load.value = wrong(s.load.value);
-            }
-        };
         const Load::Kind given = scene_.given_load().kind;
         if (given == Load::Kind::force) {
             const auto advice = scene_.round ? round_force_advice : force_advice;
-            add({"P"}, advice, set_load);
+            add({"P"}, advice, change_load);
             forces_of_steps();
             if (scene_.round) {
-                add({"radian"}, advice, set_load);
+                add({"radian"}, advice, change_load);
             }
         } else if (given == Load::Kind::approach) {
-            add({"delta"}, approach_advice, set_load);
+            add({"delta"}, approach_advice, change_load);
         } else {
-            add({"a"}, width_advice, set_load);
+            add({"a"}, width_advice, change_load);
         }
         if (scene_.round && given != Load::Kind::approach) {
             list_.push_back({"plane-for-axisymmetric", "the plane contact of the same profile",
@@ -362,6 +364,14 @@ private:
 };
 
 } // namespace
+
+void scale_load(Scene& scene, const Rational& factor) {
+    const Wrong scaled = [&](const Exact& x) { return Exact(x.expr() * Expr::number(factor)); };
+    change_given(scene, [&](Scene& s) { change_load(s, scaled); });
+    if (scene.moment) {
+        scene.moment = scaled(*scene.moment);
+    }
+}
 
 std::vector<Mistake> contact_mistakes(const Scene& scene) { return Catalogue(scene).of_contact(); }
 

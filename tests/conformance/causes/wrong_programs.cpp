@@ -248,7 +248,11 @@ std::vector<WrongProgram> wrong_programs(const SceneKeys& keys, const ReferenceO
              return answered_otherwise(asked, otherwise, options);
          }},
     };
-    for (const test::InjectedKeys& mistake : test::injected_keys()) {
+    std::vector<test::InjectedKeys> mistakes = test::injected_keys();
+    mistakes.push_back({"another-force", false,
+                        test::with_key({"load.a", "load.P", "load.M", "load.delta"},
+                                       [](double load) { return 1.37 * load; })});
+    for (const test::InjectedKeys& mistake : mistakes) {
         list.push_back(
             {mistake.name, [=](const Asked& asked) -> std::optional<std::vector<double>> {
                  const auto changed = mistake.change(keys);
@@ -263,6 +267,12 @@ std::vector<WrongProgram> wrong_programs(const SceneKeys& keys, const ReferenceO
                  return answered_otherwise(asked, otherwise, options);
              }});
     }
+    const auto stretched = [](const Real& edge, const Real& u) {
+        return Real(edge - (edge - u) / Real("1.05"));
+    };
+    list.push_back({"factor-of-x", of_places(stretched, options)});
+    list.push_back({"factor-of-u",
+                    of_places([](const Real&, const Real& u) { return Real(u / 1.3); }, options)});
     return list;
 }
 

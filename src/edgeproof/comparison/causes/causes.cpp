@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/comparison/causes/causes.hpp"
-#include "edgeproof/roots/roots.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 namespace edgeproof::comparison {
 namespace {
@@ -168,40 +166,34 @@ std::optional<CommonFactor> common_factor(const Observed& data, const Unexplaine
     for (double& ratio : ratios) {
         ratio = std::abs(ratio / factor - 1);
     }
-    return CommonFactor{factor, diagnose::error_of_median(std::move(ratios)) * std::abs(factor)};
+    return CommonFactor{{factor, diagnose::error_of_median(std::move(ratios)) * std::abs(factor)}};
 }
 
-/// The factor of x, if the exact pressure at x over it explains the data. Its error follows from
-/// the scatter of the nodes and the slopes of p.
+/// The factor of x, if the exact pressure at x over it explains the data.
 std::optional<CommonFactor> stretch_of(const Observed& data, const ExactContact& exact,
                                        const Unexplained& unexplained, double& noise) {
-    constexpr double most = 2;
-    constexpr int steps = 40;
-    constexpr double small = 1e-4;
     const auto stretched = [&](double k) {
         return data.suspect("", "", k * exact.a().value, k * exact.b().value, [&](std::size_t i) {
             return exact.quick_pressure(data[i].x / k).value_or(std::nan(""));
         });
     };
-    const auto error = [&](double logarithm) {
-        const auto left = data.left_by(stretched(std::exp(logarithm)));
-        return left ? left->rms : std::numeric_limits<double>::infinity();
+    const auto off = [&](double k) {
+        const Suspect suspect = stretched(k);
+        std::vector<double> list;
+        for (std::size_t i = 0; i < data.size(); ++i) {
+            const double error = data.values[i] - suspect.values[i];
+            list.push_back(data.counts(suspect, i) ? error / exact.scale().value : 0);
+        }
+        return list;
     };
-    const double k =
-        std::exp(roots::place_of_minimum(error, -std::log(most), std::log(most), steps));
-    const auto left = explained_by(data, stretched(k), unexplained);
+    const auto factor = diagnose::fitted_factor(off, off);
+    const auto left =
+        factor ? explained_by(data, stretched(factor->value), unexplained) : std::nullopt;
     if (!left) {
         return {};
     }
-    const Suspect wider = stretched(k * (1 + small));
-    const Suspect narrower = stretched(k * (1 - small));
-    double squares = 0;
-    for (std::size_t i = 0; i < data.size(); ++i) {
-        const double slope = (wider.values[i] - narrower.values[i]) / (2 * small);
-        squares += data.inside(narrower, i) ? slope * slope : 0;
-    }
     noise = left->noise;
-    return CommonFactor{k, k * noise * exact.scale().value / std::sqrt(squares), true};
+    return CommonFactor{*factor, true};
 }
 
 Diagnosis diagnose_observed(const Observed& data, const std::vector<Suspect>& suspects,

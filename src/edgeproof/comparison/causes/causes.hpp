@@ -167,10 +167,8 @@ struct Cause {
     std::vector<std::string> equally_likely = {}; ///< others that fit equally well
 };
 
-/// The ratio of the data to the exact values, with its standard error from their scatter.
-struct CommonFactor {
-    double value = 1;
-    double error = 0;
+/// The ratio of the data to the exact values.
+struct CommonFactor : diagnose::FittedFactor {
     bool of_x = false; ///< of the places, not of the values
 };
 

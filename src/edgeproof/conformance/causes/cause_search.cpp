@@ -48,21 +48,18 @@ public:
     CauseSearch(const Answers& answers, const Agreements& agreements,
                 const std::vector<std::size_t>& failing, const ReferenceOptions& options,
                 KnownReadings& known)
-        : answers_(answers), agreements_(agreements),
+        : answers_(answers), agreements_(agreements), failing_(failing),
           readings_(answers, agreements, failing, options, known),
           groups_(groups_of(answers, agreements, failing)) {
         find_possible();
     }
 
     std::vector<Convention> causes() {
-        for (const bool named : {true, false}) {
-            for (const Group& group : groups_) {
-                if (!is_done(group) && group.rows.size() >= diagnose::least_rows) {
-                    keep(explained(group, named));
-                }
+        for (const Group& group : groups_) {
+            if (!is_done(group) && group.rows.size() >= diagnose::least_rows) {
+                keep(explained(group));
             }
         }
-        explain_by_others();
         add_causes_of_others();
         std::vector<Convention> found;
         std::ranges::transform(explained_, std::back_inserter(found),
@@ -115,18 +112,25 @@ private:
                            "are the distances of its edges from the origin";
             }
         }
+        add_readings(0);
         const auto& readings = readings_.list();
-        for (std::size_t r = 0; r < readings.size(); ++r) {
-            const bool factor = readings[r].name.starts_with("factor");
-            possible_.push_back({readings[r].name, readings[r].relation, readings[r].hint, 1,
-                                 factor ? Candidate::other_factor : Candidate::mistake, r});
-        }
         const auto other_edge = std::ranges::find(readings, "edges-swapped", &Reading::name);
         other_edge_ = static_cast<std::size_t>(other_edge - readings.begin());
         for (const diagnose::NamedFactor& f : factors) {
             possible_.push_back({other_edge->name, f.words + "ours at the other edge",
                                  "left taken for right, and a factor", f.value,
                                  Candidate::other_factor, other_edge_});
+        }
+    }
+    /// Adds the readings from this one on.
+    void add_readings(std::size_t first) {
+        const auto& readings = readings_.list();
+        for (std::size_t r = first; r < readings.size(); ++r) {
+            const Reading& one = readings[r];
+            const auto rank = one.fitted                       ? Candidate::constant
+                              : one.name.starts_with("factor") ? Candidate::other_factor
+                                                               : Candidate::mistake;
+            possible_.push_back({one.name, one.relation, one.hint, 1, rank, r});
         }
     }
     /// Mistakes in the data of a contact and in the value are possible only for all failing rows of
@@ -181,26 +185,27 @@ private:
     }
 
     /// The causes of a group, with a name or as a constant, that the answers do not distinguish.
-    Group explained(Group group, bool named) {
+    Group explained(Group group) {
         const WrongRows some =
             wrong_rows(answers_, agreements_, evenly(group.rows.questions, most_rows_tried));
-        const auto constant = constant_of(group);
         const Medians medians = medians_of(some);
-        if (named) {
-            for (const Candidate& cause : possible_) {
-                if (possible(cause, group) && medians.near(cause) &&
-                    fit(cause, some)) { // the others only if these fit
-                    if (auto found = fit(cause, group.rows)) {
-                        add(cause, std::move(*found), group);
-                    }
+        for (const Candidate& cause : possible_) {
+            if (cause.rank != Candidate::constant && possible(cause, group) &&
+                medians.near(cause) && fit(cause, some)) { // the others only if these fit
+                if (auto found = fit(cause, group.rows)) {
+                    add(cause, std::move(*found), group);
                 }
             }
-            if (constant && constant_is_better(constant->fit, group.likely, noise_)) {
-                group.likely.clear();
-            }
-        } else if (constant) {
-            noise_ = std::max(noise_, constant->fit.scatter);
-            group.likely.push_back(*constant);
+        }
+        const std::vector<Candidate> fitted = fitted_to(group);
+        if (std::ranges::any_of(fitted, [&](const Candidate& c) {
+                return constant_is_better(c.fit, group.likely, noise_);
+            })) {
+            group.likely.clear();
+        }
+        const bool named = !group.likely.empty();
+        if (!named) {
+            group.likely = fitted;
         }
         if (!group.likely.empty()) {
             add_undistinguished(some, medians, group);
@@ -235,6 +240,36 @@ private:
         }
     }
 
+    /// The causes without a name that explain a group to the accuracy of the answers: a constant;
+    /// and, if no other does, the readings with a factor that is fitted to all failing rows.
+    [[nodiscard]] std::vector<Candidate> fitted_to(const Group& group) {
+        std::vector<Candidate> list;
+        if (auto found = constant_of(group)) {
+            list.push_back(std::move(*found));
+        }
+        const auto accurate = [&](const Candidate& c) { return is_accurate(c.fit, noise_); };
+        if (!group.whole || group.rows.size() < least_rows_of_constant ||
+            std::ranges::any_of(group.likely, accurate)) {
+            return list;
+        }
+        if (!fitted_) {
+            fitted_ = true;
+            const std::size_t first = readings_.list().size();
+            readings_.fit(failing_);
+            add_readings(first);
+        }
+        for (Candidate c : possible_) {
+            if (auto found = c.rank == Candidate::constant ? fit(c, group.rows) : std::nullopt) {
+                c.fit = std::move(*found);
+                // Nine of ten values of noise are less than 1.6 standard deviations.
+                if (accurate(c) && c.fit.held <= std::max(same_value, 3 * c.fit.scatter)) {
+                    list.push_back(std::move(c));
+                }
+            }
+        }
+        return list;
+    }
+
     /// The median of the ratios of the answers to ours, as a cause, if it explains the rows.
     [[nodiscard]] std::optional<Candidate> constant(const WrongRows& rows) {
         std::vector<Real> ratios;
@@ -252,10 +287,9 @@ private:
         if (!found) {
             return {};
         }
-        constexpr double most_printed = 1e-10;
-        const double digits = -std::log10(doubt_of(*found) / 4 + most_printed);
-        c.what = fmt::format("{:.{}g} times ours", c.factor.convert_to<double>(),
-                             static_cast<int>(std::max(2.0, std::round(digits))));
+        const auto factor = c.factor.convert_to<double>();
+        c.what = diagnose::FittedFactor{factor, std::abs(factor) * doubt_of(*found) / 4}.text() +
+                 " times ours";
         c.fit = std::move(*found);
         return c;
     }
@@ -269,11 +303,9 @@ private:
             return {};
         }
         const Fit& fit = found->fit;
-        const double unscattered = std::max(same_value, 3 * noise_);
         const double same_of_few = std::min(same_value, chance_of_few * off);
         const bool accepted =
-            (group.whole || fit.held <= same_value) &&
-            fit.noise_like.value_or(fit.held <= unscattered) &&
+            (group.whole || fit.held <= same_value) && is_accurate(fit, noise_) &&
             (group.rows.size() >= least_rows_of_constant || fit.held <= same_of_few);
         return accepted ? found : std::nullopt;
     }
@@ -287,48 +319,35 @@ private:
         }
     }
 
-    /// Explains a quantity that no cause fits by one of another quantity, if that leaves noise
-    /// only: its noise may have a mean of several deviations by chance.
-    void explain_by_others() {
-        std::vector<Group> more;
-        for (Group group : groups_) {
-            if (is_done(group) || !group.whole) {
-                continue;
-            }
-            const double before = remainder_of(remainders(group.rows, group.rows.ours)).scatter;
-            for (const Group& other : explained_) {
-                for (Candidate cause : other.likely) {
-                    cause.fit = remainder(cause, group.rows);
-                    if (cause.fit.noise_like.value_or(false) &&
-                        diagnose::least_gain * cause.fit.scatter < before) {
-                        group.likely.push_back(std::move(cause));
-                    }
-                }
-            }
-            if (!group.likely.empty()) {
-                finish(group);
-                more.push_back(std::move(group));
-            }
-        }
-        std::ranges::move(more, std::back_inserter(explained_));
-    }
     /// Adds to each group the causes of other groups that fit it as well as its own or better: a
-    /// cause that is established for one quantity need not change another clearly.
+    /// cause that is established for one quantity need not change another clearly. If no cause fits
+    /// a quantity, those that leave noise only are its causes: its noise may have a mean of several
+    /// deviations by chance.
     void add_causes_of_others() {
         const std::vector<Group> before = explained_;
+        std::ranges::copy_if(groups_, std::back_inserter(explained_),
+                             [&](const Group& group) { return group.whole && !is_done(group); });
         for (Group& group : explained_) {
-            for (const Group& other : before) {
+            const bool own = !group.likely.empty();
+            const double error = remainder_of(remainders(group.rows, group.rows.ours)).scatter;
+            for (const Group& other : own || !is_done(group) ? before : std::vector<Group>()) {
                 for (Candidate cause : other.likely) {
                     // The text of a constant without a name may be that of a named factor.
-                    if (std::ranges::none_of(group.likely,
-                                             [&](const Candidate& c) { return c.is(cause); })) {
-                        cause.fit = remainder(cause, group.rows);
+                    const bool known = std::ranges::any_of(
+                        group.likely, [&](const Candidate& c) { return c.is(cause); });
+                    cause.fit = remainder(cause, group.rows);
+                    if (!known && (own || (cause.fit.noise_like.value_or(false) &&
+                                           diagnose::least_gain * cause.fit.scatter < error))) {
                         group.likely.push_back(std::move(cause));
                     }
                 }
             }
             keep_best(group.likely, noise_);
+            if (!group.likely.empty()) {
+                finish(group);
+            }
         }
+        std::erase_if(explained_, [](const Group& group) { return group.likely.empty(); });
     }
 
     /// The number of rows that a cause explains in all groups.
@@ -356,7 +375,8 @@ private:
         c.relation = first.what;
         c.hint = first.advice;
         c.name = first.name;
-        c.factor = first.factor.convert_to<double>();
+        c.factor =
+            reading ? readings_.list()[*first.source].factor : first.factor.convert_to<double>();
         c.rows = first.fit.rows;
         c.failing = group.rows.size();
         c.digits = cause_digits(first.fit.worst);
@@ -381,7 +401,7 @@ private:
         if (first.rank == Candidate::mistake && c.remains > unlikely_by_chance) {
             add_near_factors(c, least, most);
         }
-        if (first.rank == Candidate::constant) {
+        if (first.rank == Candidate::constant && !reading) {
             add_near_factors(c, c.factor, c.factor);
         } else if (c.held < digits_of_percents) {
             add_near_factors(c, (least + most) / 2, (least + most) / 2);
@@ -391,10 +411,12 @@ private:
 
     const Answers& answers_;
     const Agreements& agreements_;
+    const std::vector<std::size_t>& failing_;
     Readings readings_;
     std::vector<Group> groups_;
     std::vector<Candidate> possible_; ///< without fits
     std::size_t other_edge_ = 0;      ///< the reading
+    bool fitted_ = false;             ///< the readings with a factor are known
     std::vector<Group> explained_;
     std::set<std::size_t> done_; ///< questions
     double noise_ = 0;           ///< the scatter of the answers, where known

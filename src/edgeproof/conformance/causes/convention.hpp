@@ -47,7 +47,8 @@ using KnownReadings = std::map<std::string, std::map<std::size_t, std::optional<
 /// quarter of the error (diagnose/diagnose.hpp). Causes that the scatter does not distinguish are
 /// listed together; of these the cause is reported that explains most rows of all quantities, once
 /// for all that it explains. Causes that would have made right answers wrong are left out if others
-/// remain. A constant without a name is reported only if the remaining errors scatter from point to
+/// remain. A factor without a name, of the values, the load, x or u, is fitted to answers that no
+/// cause with a name explains, and is reported only if the remaining errors scatter from point to
 /// point: then it is constant to the accuracy of the answers. If a quantity has no cause, and its
 /// answers are a factor with a name times ours to a tenth, this interval of factors is reported.
 ///

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/conformance/causes/readings.hpp"
 #include "edgeproof/precision/error.hpp"
+#include "edgeproof/precision/rational.hpp"
 
 #include <fmt/format.h>
 
@@ -175,6 +176,8 @@ namespace {
 
 constexpr unsigned reading_digits = 30;
 constexpr std::size_t most_right_rows = 12; // of a quantity: enough to contradict a cause
+constexpr std::size_t rows_of_search = 12;  // for a factor, which is fitted to more rows
+constexpr std::size_t rows_of_fit = 60;
 
 /// True if the radius is given by C, the curvature.
 bool is_circle(const scene::Scene& scene) {
@@ -229,20 +232,47 @@ Reading reading_of(const diagnose::Mistake& mistake, std::optional<bool> circle)
     return reading;
 }
 
-/// Asks for the place x = u (-u at the left edge), if it is in the contact.
-bool take_u_for_x(Question& q, const scene::Scene& scene) {
-    if (!q.u) {
-        return false;
+using Expr = formula::Expr;
+
+/// Asks for another place: `distance` gives that from the origin, towards the edge, for that of the
+/// edge and u.
+auto asked_at(const std::function<Expr(const Expr& edge, const Expr& u)>& distance) {
+    return [distance](Question& q, const scene::Scene& scene) {
+        if (q.u) {
+            const bool right = q.edge == contact::Edge::right;
+            const Expr edge = Expr::symbol(right || scene.symmetric() ? "a" : "b");
+            const Expr x = distance(edge, q.u->expr());
+            q.place = scene::Distance(edge - x, right ? x : -x);
+        }
+        return q.u.has_value();
+    };
+}
+
+/// The interpretations with a factor: of the load, of the places x, of the distances u.
+std::vector<Reading> with_factor(double factor, const std::string& text) {
+    const Rational exact = exact_rational(factor);
+    const Expr k = Expr::number(exact);
+    std::vector<Reading> list{{"another-force", "ours under " + text + " times the load",
+                               "another load step, or a load in another unit?",
+                               [exact](scene::Scene& scene, const auto&) {
+                                   diagnose::scale_load(scene, exact);
+                                   return true;
+                               }},
+                              {"factor-of-x", "ours with " + text + " times the places x",
+                               "x in another unit, or a stretched mesh?"},
+                              {"factor-of-u", "ours with " + text + " times the distances u",
+                               "u in another unit, or a stretched mesh?"}};
+    list[1].place = asked_at([k](const Expr& edge, const Expr& u) { return (edge - u) / k; });
+    list[2].place = [k](Question& q, const scene::Scene&) {
+        q.u = q.u ? std::optional(formula::Exact(q.u->expr() / k)) : q.u;
+        return q.u.has_value();
+    };
+    for (Reading& reading : list) {
+        reading.only = fmt::format("{}", factor);
+        reading.factor = factor;
+        reading.fitted = true;
     }
-    const bool right = q.edge == contact::Edge::right;
-    if (scene.load.kind == contact::Load::Kind::right_edge && (right || scene.symmetric())) {
-        q.u = formula::Exact(scene.load.value.expr() - q.u->expr());
-        return q.u->sign() > 0;
-    }
-    const formula::Expr x = right ? q.u->expr() : -q.u->expr();
-    const formula::Expr edge = formula::Expr::symbol(right || scene.symmetric() ? "a" : "b");
-    q.place = scene::Distance(edge - q.u->expr(), x);
-    return true;
+    return list;
 }
 
 using Value = std::optional<Real>;
@@ -292,7 +322,7 @@ void Readings::find(const std::vector<std::size_t>& contacts) {
         {"edges-swapped", "ours at the other edge",
          "left taken for right? u runs inwards from the edge: u = a - x at the right one, u = b "
          "+ x at the left one; swap the edges"}};
-    list_[1].place = take_u_for_x;
+    list_[1].place = asked_at([](const Expr&, const Expr& u) { return u; });
     list_[2].place = [](Question& q, const scene::Scene& scene) {
         q.edge = opposite(q.edge);
         return q.at_edge() && (!scene.symmetric() || scene.shear);
@@ -349,6 +379,27 @@ Values Readings::values(std::size_t reading, const std::vector<std::size_t>& que
     std::ranges::transform(questions, std::back_inserter(values),
                            [&](std::size_t i) { return known.at(i); });
     return values;
+}
+
+void Readings::fit(const std::vector<std::size_t>& failing) {
+    for (std::size_t which = 0; which < with_factor(1, "").size(); ++which) {
+        const auto off = [&](std::size_t most) {
+            return [&, rows = wrong_rows(answers_, agreements_, evenly(failing, most))](double k) {
+                const Values values = found(with_factor(k, "")[which], rows.questions);
+                std::vector<double> list;
+                for (std::size_t i = 0; i < values.size(); ++i) {
+                    const double ratio =
+                        values[i] ? Real(rows.answers[i] / *values[i]).convert_to<double>() : 0;
+                    list.push_back(std::log(ratio)); // as large for 1/2 as for 2
+                }
+                return list;
+            };
+        };
+        const auto fitted = diagnose::fitted_factor(off(rows_of_search), off(rows_of_fit));
+        if (fitted) {
+            list_.push_back(with_factor(fitted->value, fitted->text())[which]);
+        }
+    }
 }
 
 bool Readings::contradicted(std::size_t reading, double most) {

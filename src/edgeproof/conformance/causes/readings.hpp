@@ -82,6 +82,8 @@ struct Reading {
     /// Changes the value. Null: it stays.
     std::function<std::optional<Real>(const Real&)> value = {};
     std::string only = {}; ///< the profiles that it is restricted to
+    double factor = 1;
+    bool fitted = false; ///< with this factor
 };
 
 /// The interpretations that change a question about the contacts of failing rows: the mistakes of
@@ -98,6 +100,9 @@ public:
     /// The references of the questions in an interpretation; nothing for those that it does not
     /// change or that have no value other than 0.
     [[nodiscard]] Values values(std::size_t reading, const std::vector<std::size_t>& questions);
+    /// Adds the interpretations with one factor, of the load, of the places x or of the distances u
+    /// from the edge, that is fitted to the failing rows (diagnose::fitted_factor()).
+    void fit(const std::vector<std::size_t>& failing);
     /// True if a reading of the contact would have made a quantity wrong that is right, by more
     /// than `most`.
     [[nodiscard]] bool contradicted(std::size_t reading, double most);

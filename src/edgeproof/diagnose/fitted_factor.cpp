@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/diagnose/diagnose.hpp"
-#include "edgeproof/roots/place_of_minimum.hpp"
+#include "edgeproof/roots/roots.hpp"
 
 #include <fmt/format.h>
 

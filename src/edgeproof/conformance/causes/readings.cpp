@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/conformance/causes/readings.hpp"
 #include "edgeproof/precision/error.hpp"
-#include "edgeproof/precision/rational.hpp"
+#include "edgeproof/precision/real.hpp"
 
 #include <fmt/format.h>
 

@@ -21,7 +21,7 @@ TEST_CASE("the expansion of a stick zone is that of its pressure, also off the o
         CAPTURE(words);
         const Contact c = contact_of(words);
         const BallContact whole(c.profile, c.modulus, c.load, zone_bits);
-        for (const std::pair<const char*, const char*> at :
+        for (const std::pair<const char*, const char*>& at :
              {std::pair{"0.7", "-0.1"}, {"-0.1", "0.8"}, {"0.9", "0.2"}}) {
             CAPTURE(at.first);
             const BallContact zone = whole.between(number(at.first), number(at.second));

@@ -2,7 +2,6 @@
 #pragma once
 #include "edgeproof/contact/curved/proved_slip.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
-#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "tests/contact/scenes.hpp"
 
 #include <doctest/doctest.h>

@@ -34,7 +34,7 @@ public:
                 number.pop_back();
             }
         }
-        if (number.find_first_not_of("0123456789.-eE") != std::string::npos) {
+        if (number.empty() || number.find_first_not_of("0123456789.-eE") != std::string::npos) {
             claim.reject("quoted", "the figure '" + written_ + "' is not a decimal number",
                          "write it as quoted, such as \"6.4 %\" or \"0.03\"");
         }
@@ -143,11 +143,12 @@ private:
     }
     /// Decides if a number is within `units` units of the last quoted place of the figure.
     [[nodiscard]] Decision within(const Ball& x, const Rational& units) const {
-        const Rational lower = value_ - units * unit_;
-        const Rational upper = value_ + units * unit_;
-        const auto below = Refutation::less(x, Ball(lower, x.bits()));
-        return decision(below ? below : Refutation::less(Ball(upper, x.bits()), x),
-                        Confirmation::within(x, lower, upper));
+        const Ball size = value_ < 0 ? -x : x; // a half belongs to the figure farther from zero
+        const Rational lower = abs(value_) - units * unit_;
+        const Rational upper = abs(value_) + units * unit_;
+        const auto below = Refutation::less(size, Ball(lower, x.bits()));
+        return decision(below ? below : Refutation::less(Ball(upper, x.bits()), size),
+                        Confirmation::within(size, lower, upper));
     }
 
     std::string written_;

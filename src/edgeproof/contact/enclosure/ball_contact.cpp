@@ -174,22 +174,10 @@ BallContact BallContact::between(const Ball& a, const Ball& b) const {
 }
 
 ZoneValues BallContact::values_of(const BallZone& zone) const {
-    // The integral of (k + r s)/w between two marks, with s = c + y, h' = -1/w and w' = -y/w
-    // (docs/mechanics.md); the mean slope of docs/partial-slip.md.
     const Extent<Ball> e{zone.a, zone.b};
-    const Ball c = (zone.a - zone.b) / 2;
     const std::vector<Mark<Ball>> list = marks(e);
-    Ball sum(0, bits_);
-    Mark<Ball> previous = end_mark(e, Edge::left);
-    for (std::size_t i = 0; i <= list.size(); ++i) {
-        Mark<Ball> next = i < list.size() ? list[i] : end_mark(e, Edge::right);
-        const auto& piece = slope_.pieces[i];
-        sum += (piece.at_origin + piece.rate * c) * (previous.h - next.h) +
-               piece.rate * (previous.w - next.w);
-        previous = std::move(next);
-    }
     return {modulus_ / 2 * over_linear_measure<ForceKernel>(slope_, e, list),
-            sum / Ball::pi(bits_)};
+            slope_over_angle(slope_, e, list) / Ball::pi(bits_)}; // the mean slope
 }
 
 ZoneRates BallContact::rates_of(const BallZone& zone) const {

@@ -143,7 +143,12 @@ BallSeries BallContact::left_edge_series(std::size_t order) const {
     // terms, the balls after the step contain it to 2k terms. The constant term is the edge that
     // was isolated before.
     return left_edge_by_newton(
-        a, b_, [&](const Extent<BallSeries>& e) { return linear_imbalance(slope_, e, marks(e)); },
+        a, b_,
+        [&](const Extent<BallSeries>& e) {
+            // A tilt, which is constant along the family, adds a constant.
+            return zone_ ? slope_over_angle(slope_, e, marks(e))
+                         : linear_imbalance(slope_, e, marks(e));
+        },
         [&](const Extent<BallSeries>& e) {
             return over_linear_measure<LeftRateKernel>(slope_, e, marks(e));
         });

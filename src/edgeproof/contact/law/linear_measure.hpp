@@ -116,6 +116,24 @@ template <class U, class W>
         });
 }
 
+/// The integral of g'/w over any zone, also where the origin lies outside: of (k + r s)/w between
+/// two marks, with s = c + y, h' = -1/w and w' = -y/w (docs/mechanics.md).
+template <class U, class W>
+[[nodiscard]] U slope_over_angle(const LinearSlope<W>& slope, const Extent<U>& e,
+                                 const std::vector<Mark<U>>& marks) {
+    const U twice_c = e.a - e.b;
+    Mark<U> previous = end_mark(e, Edge::left);
+    U sum = previous.w; // 0
+    for (std::size_t i = 0; i <= marks.size(); ++i) {
+        Mark<U> next = i < marks.size() ? marks[i] : end_mark(e, Edge::right);
+        const auto& piece = slope.pieces[i];
+        sum = sum + (twice_c * W(piece.rate / 2) + piece.at_origin) * (previous.h - next.h) +
+              (previous.w - next.w) * piece.rate;
+        previous = std::move(next);
+    }
+    return sum;
+}
+
 /// (e^G - 1) D |v - x| = 2 min(p, q) + 2 sqrt(p q), with p = r_v l_x, q = r_x l_v,
 /// p - q = D (x - v) (docs/pressure.md). It contains no difference, so that G = ln(1 + ...) keeps
 /// its relative digits near an edge. `root` is sqrt(p q); all in length^2.

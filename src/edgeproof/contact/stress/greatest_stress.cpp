@@ -54,7 +54,7 @@ struct Cell {
     /// True if its halves are exact, so that together they are the whole of it.
     [[nodiscard]] bool has_halves() const {
         constexpr double places = 0x1p52;
-        return half_x >= least_half && std::abs(x) < half_x * places && z < half_z * places;
+        return half_x >= least_half && std::abs(x) <= half_x * places && z <= half_z * places;
     }
     /// Below this part of the contact no boxes are divided.
     static constexpr double least_half = 0x1p-60;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgeproof/scene/design/design_file.hpp"
 #include "edgeproof/contact/enclosure/ball_values.hpp"
-#include "edgeproof/contact/enclosure/ball_values.hpp"
 #include "edgeproof/io/text_file.hpp"
 #include "edgeproof/io/toml/toml_section.hpp"
 #include "edgeproof/precision/error.hpp"

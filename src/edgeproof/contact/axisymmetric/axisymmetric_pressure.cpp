@@ -74,23 +74,8 @@ Ball AxisymmetricContact::pressure(Edge edge, const Ball& u) const {
     return pressure(place_of(edge, u), false);
 }
 
-// For a range of r the integrand h'(s)/sqrt(s^2 - r^2), which is not negative, is at least that of
-// the least r, and the integral from the greatest r on is less than p: one integral, also next to a
-// corner.
 Ball AxisymmetricContact::least_pressure(Edge edge, const Ball& u) const {
-    const Place at = place_of(edge, u);
-    const Ball lo = max(lower_end(at.r), Ball(0, bits_));
-    const Ball hi = upper_end(at.r);
-    if (linear_ || !certainly_less(lo, hi) || !certainly_less(hi, a_)) {
-        return pressure(at, true);
-    }
-    return modulus_ / Ball::pi(bits_) *
-           over_approach(
-               hi, {}, a_ - hi,
-               [&](const Radius& place, const Box& /*depth*/) {
-                   return Box(Ball(1, bits_)) / principal_root((place.s - lo) * (place.s + lo));
-               },
-               Ball(0, bits_));
+    return pressure(place_of(edge, u), true);
 }
 
 Ball AxisymmetricContact::pressure(const Place& at, bool least) const {

@@ -118,19 +118,6 @@ BallSeries RelativeError::series(const Ball& u, std::size_t order) const {
 }
 Side RelativeError::side_of_whole(const Ball& u) const {
     const Ball near = local(u);
-    const auto by_least = [&] {
-        const Ball least = contact_.least_pressure(edge_, u);
-        // |p_local/p| <= |p_local|/least, with the sign of p_local.
-        return least.is_finite() && certainly_positive(least)
-                   ? side(Ball::hull(near / Ball(least.lower(), bits_), Ball(0, bits_)) - 1)
-                   : Side::unknown;
-    };
-    // Next to a corner p is large, and its enclosures are expensive.
-    if (contact_.cost() > 1 && !contact_.corners(edge_).empty()) {
-        if (const Side below = by_least(); below != Side::unknown) {
-            return below;
-        }
-    }
     const Ball p = contact_.pressure(edge_, u);
     if (p.is_finite() && certainly_positive(p)) {
         return side(near / p - 1);
@@ -147,7 +134,11 @@ Side RelativeError::side_of_whole(const Ball& u) const {
                    ? Side::below
                    : Side::unknown;
     }
-    return by_least();
+    const Ball least = contact_.least_pressure(edge_, u);
+    // |p_local/p| <= |p_local|/least, with the sign of p_local.
+    return least.is_finite() && certainly_positive(least)
+               ? side(Ball::hull(near / Ball(least.lower(), bits_), Ball(0, bits_)) - 1)
+               : Side::unknown;
 }
 
 } // namespace edgeproof::contact

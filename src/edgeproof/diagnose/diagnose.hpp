@@ -70,7 +70,8 @@ struct FittedFactor {
 using Residuals = std::function<std::vector<double>(double)>;
 /// The factor, of 1/10 to 10, for which the sum of the absolute differences is least: that of some
 /// data by trial and golden section, then that of all by the weighted median of their own factors.
-/// Returns nothing if half of some data differ by more than most_scatter.
+/// Returns nothing if half of some data differ by more than most_scatter, or if the factor is 1
+/// within three standard errors.
 [[nodiscard]] std::optional<FittedFactor> fitted_factor(const Residuals& of_some,
                                                         const Residuals& of_all);
 

@@ -81,6 +81,9 @@ std::optional<FittedFactor> fitted_factor(const Residuals& of_some, const Residu
         error = std::sqrt(static_cast<double>(zeros.size()) / squares) *
                 error_of_median(std::move(sizes));
     }
+    if (std::abs(logarithm) < 3 * error) {
+        return {}; // 1, as far as the data show
+    }
     const double factor = std::exp(logarithm);
     return FittedFactor{factor, factor * (error + of_values)};
 }

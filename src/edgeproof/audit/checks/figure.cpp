@@ -34,7 +34,7 @@ public:
                 number.pop_back();
             }
         }
-        if (number.empty() || number.find_first_not_of("0123456789.-eE") != std::string::npos) {
+        if (number.empty() || number.find_first_not_of("0123456789.+-eE") != std::string::npos) {
             claim.reject("quoted", "the figure '" + written_ + "' is not a decimal number",
                          "write it as quoted, such as \"6.4 %\" or \"0.03\"");
         }

@@ -262,7 +262,8 @@ private:
             if (auto found = c.rank == Candidate::constant ? fit(c, group.rows) : std::nullopt) {
                 c.fit = std::move(*found);
                 // Nine of ten values of noise are less than 1.6 standard deviations.
-                if (accurate(c) && c.fit.held <= std::max(same_value, 3 * c.fit.scatter)) {
+                if (accurate(c) && 2 * c.fit.rows >= group.rows.size() &&
+                    c.fit.held <= std::max(same_value, 3 * c.fit.scatter)) {
                     list.push_back(std::move(c));
                 }
             }
